@@ -1,0 +1,52 @@
+//! `landform check`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use landform::core::Result;
+use landform::core::error::bytes_text;
+use landform::recipe::{Override, Plan, Recipe};
+
+use crate::memory;
+use crate::run::salt;
+use crate::show_error::{Failure, about};
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// The recipe.
+    recipe: PathBuf,
+    /// Output folder whose cache is looked into.
+    #[arg(short, long)]
+    output: Option<PathBuf>,
+    /// Sets a key: LABEL_OR_STAGE.key=value.
+    #[arg(long = "set", value_name = "STAGE.KEY=VALUE")]
+    set: Vec<String>,
+}
+
+pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let overrides = args.set.iter().map(|s| Override::parse(s)).collect::<Result<Vec<_>>>()?;
+    let recipe = Recipe::load(&args.recipe, &overrides).map_err(about(&args.recipe))?;
+    let cache = args.output.as_ref().map(|o| o.join(".landform/cache"));
+    let plan = recipe.plan(cache.as_deref(), &salt()).map_err(about(&args.recipe))?;
+    println!("{} (seed {})", recipe.title, recipe.seed);
+    print_plan(&plan);
+    let free = memory::available().map(|m| format!(" of {} free", bytes_text(m))).unwrap_or_default();
+    println!("memory: about {}{free}", bytes_text(plan.bytes));
+    Ok(ExitCode::SUCCESS)
+}
+
+fn print_plan(plan: &Plan) {
+    for (k, stage) in plan.stages.iter().enumerate() {
+        let label = stage.label.as_ref().map(|l| format!("{l}: ")).unwrap_or_default();
+        let cached = if stage.cached { "  cached" } else { "" };
+        println!(
+            "{:>3}  {:<8} {:<52} {:>10} nodes  {:<12} {:>10}{cached}",
+            k + 1,
+            stage.verb.title(),
+            format!("{label}{}", stage.name),
+            stage.nodes,
+            stage.kind,
+            bytes_text(stage.bytes)
+        );
+    }
+}

@@ -1,0 +1,50 @@
+//! `landform convert`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use landform::core::terrain::NodeSurface;
+use landform::io::files::write_whole;
+use landform::io::format::{
+    GeotiffOptions, RasterFile, Sidecar, load_raster, mesh_file_from_height_field, mesh_format, raster_format,
+};
+
+use crate::show_error::Failure;
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Raster to read.
+    input: PathBuf,
+    /// Raster or mesh (glb, obj, ply, stl) to write; the extension says which.
+    output: PathBuf,
+}
+
+pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let mesh = mesh_format(&args.output);
+    let raster = raster_format(&args.output);
+    if let (Err(_), Err(unknown)) = (&mesh, &raster) {
+        let hint = "for a mesh: glb, obj, ply, stl".to_string();
+        return Err(landform::core::Error::Recipe { at: None, what: unknown.to_string(), hint: Some(hint) }.into());
+    }
+    let terrain = load_raster(&args.input)?;
+    if let Ok(format) = mesh {
+        write_whole(&args.output, &(format.write)(&mesh_file_from_height_field(&terrain))?)?;
+    } else {
+        let format = raster?;
+        let file = RasterFile {
+            grid: &terrain.grid,
+            values: terrain.elevation(),
+            field: "elevation",
+            unit: "m",
+            seed: 0,
+            geotiff: GeotiffOptions::default(),
+        };
+        write_whole(&args.output, &(format.write)(&file)?)?;
+        if format.needs_sidecar {
+            let steps = ["PNG", "PNM", "RAW16"].contains(&format.name).then_some(65_535.0);
+            write_whole(&args.output.with_extension("landform.json"), &Sidecar::describe(&file, steps).text()?)?;
+        }
+    }
+    println!("{}", args.output.display());
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,70 @@
+//! The landform command line: one file a subcommand.
+
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command line speaks")]
+
+mod bench;
+mod check;
+mod cite;
+mod convert;
+mod memory;
+mod new;
+mod progress;
+mod render;
+mod run;
+mod schema;
+mod show_error;
+mod stages;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Grows landscapes from natural processes.
+#[derive(Parser)]
+#[command(name = "landform", version, about, after_help = "Begin with: landform new mountains; landform run mountains.toml -o out")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Writes a recipe from the gallery to start from.
+    New(new::Args),
+    /// Validates a recipe and prints its plan: stages, sizes, memory, what is cached.
+    Check(check::Args),
+    /// Runs a recipe.
+    Run(run::Args),
+    /// Lists the stages, or one stage's parameters with units, defaults, ranges, sources.
+    Stages(stages::Args),
+    /// Prints the JSON schema of recipes, for editors.
+    Schema,
+    /// Prints the papers behind a recipe.
+    Cite(cite::Args),
+    /// Draws an elevation file.
+    Render(render::Args),
+    /// Turns a raster into another raster, or into a mesh.
+    Convert(convert::Args),
+    /// Measures speed on one task and prints one line of JSON.
+    #[command(hide = true)]
+    Bench(bench::Args),
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let result = match cli.command {
+        Command::New(args) => new::run(&args),
+        Command::Check(args) => check::run(&args),
+        Command::Run(args) => run::run(&args),
+        Command::Stages(args) => stages::run(&args),
+        Command::Schema => schema::run(),
+        Command::Cite(args) => cite::run(&args),
+        Command::Render(args) => render::run(&args),
+        Command::Convert(args) => convert::run(&args),
+        Command::Bench(args) => bench::run(&args),
+    };
+    result.unwrap_or_else(|failure| {
+        show_error::show(&failure);
+        ExitCode::FAILURE
+    })
+}

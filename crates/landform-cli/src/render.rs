@@ -1,0 +1,68 @@
+//! `landform render`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use landform::core::units::Angle;
+use landform::core::verb::Params;
+use landform::io::export::{ViewKind, WritePicture};
+use landform::io::files::write_whole;
+use landform::io::format::{encode_png, load_raster};
+
+use crate::show_error::Failure;
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Elevation file.
+    input: PathBuf,
+    /// Picture to write (.png).
+    output: PathBuf,
+    /// What is drawn.
+    #[arg(long, value_enum, default_value_t = Kind::Perspective)]
+    view: Kind,
+    /// Longer side, pixels.
+    #[arg(long, default_value_t = 1600)]
+    size: usize,
+    /// Compass direction from which the camera looks, such as "200 deg".
+    #[arg(long)]
+    from: Option<String>,
+    /// Angle by which the camera looks down, such as "28 deg".
+    #[arg(long)]
+    tilt: Option<String>,
+    /// Factor on elevations.
+    #[arg(long, default_value_t = 1.0)]
+    exaggeration: f64,
+    /// 1 frames the whole block; more comes closer.
+    #[arg(long, default_value_t = 1.0)]
+    zoom: f64,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Kind {
+    Map,
+    Perspective,
+}
+
+pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let defaults = WritePicture::default();
+    let angle = |text: &Option<String>, default| text.as_deref().map_or(Ok(default), Angle::parse);
+    let picture = WritePicture {
+        view: match args.view {
+            Kind::Map => ViewKind::Map,
+            Kind::Perspective => ViewKind::Perspective,
+        },
+        path: args.output.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
+        size: args.size,
+        from: angle(&args.from, defaults.from)?,
+        tilt: angle(&args.tilt, defaults.tilt)?,
+        exaggeration: args.exaggeration,
+        zoom: args.zoom,
+        ..defaults
+    };
+    picture.validate()?;
+    let terrain = load_raster(&args.input)?;
+    let drawn = picture.draw(&terrain)?;
+    write_whole(&args.output, &encode_png(&drawn.pixels, drawn.shape)?)?;
+    println!("{}", args.output.display());
+    Ok(ExitCode::SUCCESS)
+}

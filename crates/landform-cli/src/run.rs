@@ -1,0 +1,110 @@
+//! `landform run`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use landform::core::parallel::with_threads;
+use landform::core::verb::CancelToken;
+use landform::core::{Error, Result};
+use landform::io::files::Folder;
+use landform::recipe::{Options, Override, Ran, Recipe};
+
+use crate::memory;
+use crate::progress::{Reporter, Style};
+use crate::show_error::{Failure, about};
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// The recipe.
+    recipe: PathBuf,
+    /// Output folder.
+    #[arg(short, long, default_value = "out")]
+    output: PathBuf,
+    /// Seed, instead of the recipe's.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Sets a key: LABEL_OR_STAGE.key=value. May be repeated.
+    #[arg(long = "set", value_name = "STAGE.KEY=VALUE")]
+    set: Vec<String>,
+    /// Number of threads; all cores if not given. Results do not depend on it.
+    #[arg(long, default_value_t = 0)]
+    threads: usize,
+    /// Goes on where an interrupted run stopped.
+    #[arg(long)]
+    resume: bool,
+    /// Runs even if the memory seems too small.
+    #[arg(long)]
+    force: bool,
+    /// Runs every stage anew and keeps none.
+    #[arg(long)]
+    no_cache: bool,
+    /// How progress is shown.
+    #[arg(long, value_enum, default_value_t = Style::Auto)]
+    progress: Style,
+    /// Says nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// What tells one build of this program from another, so that a cache of an older build is not trusted.
+pub(crate) fn salt() -> String {
+    let meta = std::env::current_exe().and_then(std::fs::metadata);
+    let modified = meta.as_ref().ok().and_then(|m| m.modified().ok());
+    let since = modified.and_then(|t| t.duration_since(std::time::UNIX_EPOCH).ok());
+    format!("{:?} {:?}", since, meta.map(|m| m.len()).ok())
+}
+
+pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let start = Instant::now();
+    let mut overrides = args.set.iter().map(|s| Override::parse(s)).collect::<Result<Vec<_>>>()?;
+    if let Some(seed) = args.seed {
+        overrides.push(Override::parse(&format!("seed={seed}"))?);
+    }
+    let recipe = Recipe::load(&args.recipe, &overrides).map_err(about(&args.recipe))?;
+    let state = args.output.join(".landform");
+    let cache = (!args.no_cache).then(|| state.join("cache"));
+    let salt = salt();
+    let plan = recipe.plan(cache.as_deref(), &salt).map_err(about(&args.recipe))?;
+    if let Some(available) = memory::available().filter(|a| plan.bytes > *a && !args.force) {
+        return Err(Error::Memory { what: "this recipe".into(), needed: plan.bytes, available }.into());
+    }
+    let mut folder = Folder::create(&args.output)?;
+    let cancel = CancelToken::default();
+    let token = cancel.clone();
+    ctrlc::set_handler(move || {
+        // A second signal does not wait for the step to end.
+        if token.is_cancelled() {
+            std::process::exit(130);
+        }
+        token.cancel();
+    })
+    .ok();
+    let style = if args.quiet { Style::None } else { args.progress };
+    let reporter = Reporter::new(style);
+    let options = Options {
+        cache,
+        checkpoint: Some(state.join("checkpoint.lfc")),
+        resume: args.resume,
+        salt,
+        cancel,
+        progress: &|signal| reporter.take(signal),
+        ..Options::default()
+    };
+    let ran = with_threads(args.threads, || recipe.run(&mut folder, &options))?;
+    reporter.finish();
+    match ran.map_err(about(&args.recipe))? {
+        Ran::ToTheEnd(..) => {
+            reporter.files(folder.written(), start.elapsed().as_secs_f64());
+            Ok(ExitCode::SUCCESS)
+        }
+        Ran::Interrupted(checkpoint) => {
+            let how = match checkpoint {
+                Some(path) if path.is_file() => format!("the state is in {}; go on with --resume", path.display()),
+                _ => "run again to go on from the cache".into(),
+            };
+            eprintln!("interrupted: {how}");
+            Ok(ExitCode::from(130))
+        }
+    }
+}

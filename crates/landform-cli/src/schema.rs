@@ -1,0 +1,14 @@
+//! `landform schema`.
+
+use std::process::ExitCode;
+
+use landform::core::Error;
+use landform::recipe::schema;
+
+use crate::show_error::Failure;
+
+pub(crate) fn run() -> Result<ExitCode, Failure> {
+    let text = serde_json::to_string_pretty(&schema()).map_err(|e| Error::format("JSON", e))?;
+    println!("{text}");
+    Ok(ExitCode::SUCCESS)
+}

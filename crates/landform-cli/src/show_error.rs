@@ -1,0 +1,48 @@
+//! Errors as people read them: what, where, and a hint.
+
+use std::path::{Path, PathBuf};
+
+use landform::core::Error;
+
+/// An error, and the recipe that it is about.
+pub(crate) struct Failure {
+    error: Error,
+    recipe: Option<PathBuf>,
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self { error, recipe: None }
+    }
+}
+
+/// The error as one about a recipe.
+pub(crate) fn about(recipe: &Path) -> impl Fn(Error) -> Failure {
+    move |error| Failure { error, recipe: Some(recipe.into()) }
+}
+
+pub(crate) fn show(failure: &Failure) {
+    let place = match (&failure.error, &failure.recipe) {
+        (Error::Recipe { at: Some((line, column)), .. }, Some(path)) => format!(" at {}:{line}:{column}", path.display()),
+        (Error::Recipe { at: None, .. }, Some(path)) => format!(" in {}", path.display()),
+        _ => String::new(),
+    };
+    eprintln!("error: {}", failure.error);
+    if let (Error::Recipe { at: Some((line, column)), .. }, Some(path)) = (&failure.error, &failure.recipe) {
+        eprintln!("  -->{place}");
+        show_line(path, *line, *column);
+    } else if !place.is_empty() {
+        eprintln!("  -->{place}");
+    }
+    if let Some(hint) = failure.error.hint() {
+        eprintln!("hint: {hint}");
+    }
+}
+
+fn show_line(path: &Path, line: usize, column: usize) {
+    let Ok(text) = std::fs::read_to_string(path) else { return };
+    let Some(source) = text.lines().nth(line - 1) else { return };
+    let shown: String = source.chars().take(160).collect::<String>().replace('\t', " ");
+    let gutter = " ".repeat(line.to_string().len());
+    eprintln!("{gutter} |\n{line} | {shown}\n{gutter} | {}^", " ".repeat(column.saturating_sub(1).min(160)));
+}

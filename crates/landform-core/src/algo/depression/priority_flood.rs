@@ -1,0 +1,58 @@
+//! Priority-Flood.
+//!
+//! # Sources
+//! Barnes, Lehman & Mulla (2014), algorithm 2 (the heap with a plain queue inside depressions).
+
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, VecDeque};
+
+use crate::grid::{BASE_LEVEL, Domain, MASKED};
+
+/// The level to which each node must be filled so that water reaches a base level. NaN on masked nodes; nodes that no base
+/// level can be reached from keep their elevation.
+///
+/// **Cost** O(n + m log m), with m nodes outside of depressions.
+pub fn flood_levels<D: Domain>(domain: &D, elevation: &[f64]) -> Vec<f64> {
+    let status = domain.status();
+    let mut level = elevation.to_vec();
+    let mut closed = vec![false; level.len()];
+    let mut heap = BinaryHeap::new();
+    let mut lake = VecDeque::new();
+    for i in (0..level.len()).filter(|&i| status[i] == BASE_LEVEL) {
+        heap.push(Reverse((Ordered(level[i]), i)));
+        closed[i] = true;
+    }
+    while let Some(i) = lake.pop_front().or_else(|| heap.pop().map(|Reverse((_, i))| i)) {
+        for link in domain.neighbours(i) {
+            let j = link.to;
+            if status[j] == MASKED || std::mem::replace(&mut closed[j], true) {
+                continue;
+            }
+            if level[j] <= level[i] {
+                level[j] = level[i];
+                lake.push_back(j);
+            } else {
+                heap.push(Reverse((Ordered(level[j]), j)));
+            }
+        }
+    }
+    level
+}
+
+/// A float that is ordered totally.
+#[derive(PartialEq)]
+struct Ordered(f64);
+
+impl Eq for Ordered {}
+
+impl PartialOrd for Ordered {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ordered {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}

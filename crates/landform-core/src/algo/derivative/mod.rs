@@ -1,0 +1,5 @@
+//! Derivatives of rasters.
+
+mod horn;
+
+pub use horn::{Gradient, gradient, hillshade, slope};

@@ -1,0 +1,178 @@
+use super::*;
+use crate::algo::depression::flood_levels;
+use crate::algo::sampling::poisson_disk;
+use crate::grid::{BASE_LEVEL, Edge, Edges, Grid, RasterDomain, Shape};
+use crate::random::Seed;
+use crate::terrain::{Mesh, NodeSurface};
+
+fn rough(n: usize, seed: u64) -> Vec<f64> {
+    (0..n).map(|i| 100.0 * Seed(seed).uniform(i as u64)).collect()
+}
+
+/// Small whole numbers: full of flats and ties.
+fn terraced(n: usize, seed: u64) -> Vec<f64> {
+    rough(n, seed).iter().map(|z| (z / 12.0).floor()).collect()
+}
+
+fn raster(rows: usize, cols: usize, edges: Edges) -> RasterDomain {
+    let mut grid = Grid::new(Shape::new(rows, cols), [10.0, 10.0]).unwrap();
+    grid.edges = edges;
+    RasterDomain::new(&grid, &[])
+}
+
+fn check<D: Domain>(domain: &D, z: &[f64]) {
+    let mut flow = Flow::new();
+    let mut area = node_areas(domain);
+    let total: f64 = area.iter().sum();
+    flow.route(domain, z, &mut area);
+    let mut place = vec![usize::MAX; z.len()];
+    for (k, &i) in flow.order().iter().enumerate() {
+        place[i as usize] = k;
+    }
+    let mut at_outlets = 0.0;
+    for i in 0..z.len() {
+        let r = flow.receivers()[i] as usize;
+        if r == i {
+            assert_ne!(domain.status()[i], crate::grid::INTERIOR, "node {i} ends inside");
+            at_outlets += area[i];
+        } else {
+            assert_eq!(domain.neighbour(i, flow.slots()[i]), r);
+            assert!(place[i] < place[r], "donors come first, so there is no cycle");
+        }
+    }
+    assert!((at_outlets / total - 1.0).abs() < 1e-12);
+    let (level, flood) = (flow.water_level(z), flood_levels(domain, z));
+    for i in 0..z.len() {
+        assert!(level[i] == flood[i] || (level[i].is_nan() && flood[i].is_nan()), "level at {i}: {} {}", level[i], flood[i]);
+    }
+}
+
+#[test]
+fn every_node_of_a_raster_drains_and_levels_equal_priority_flood() {
+    for seed in 0..6 {
+        for edges in [Edges::default(), Edges { north: Edge::Closed, east: Edge::Periodic, west: Edge::Periodic, south: Edge::Open }] {
+            let domain = raster(37, 53, edges);
+            check(&domain, &rough(37 * 53, seed));
+            check(&domain, &terraced(37 * 53, seed));
+        }
+    }
+}
+
+#[test]
+fn every_node_of_a_mesh_drains_and_levels_equal_priority_flood() {
+    for seed in 0..4 {
+        let sites = poisson_disk([1000.0, 1000.0], 25.0, Seed(seed)).unwrap();
+        let mesh = Mesh::delaunay(&sites, Edges { north: Edge::Closed, ..Edges::default() }).unwrap();
+        check(mesh.graph(), &rough(sites.len(), seed));
+        check(mesh.graph(), &terraced(sites.len(), seed));
+    }
+}
+
+#[test]
+fn holes_and_ragged_rims_drain_too() {
+    let grid = Grid::new(Shape::new(40, 40), [10.0, 10.0]).unwrap();
+    let mut z = rough(1600, 2);
+    let valid: Vec<bool> = (0..1600).map(|i| Seed(8).uniform(i / 7) > 0.12).collect();
+    for i in 0..1600 {
+        if !valid[i] {
+            z[i] = f64::NAN;
+        }
+    }
+    let domain = RasterDomain::new(&grid, &valid);
+    let mut flow = Flow::new();
+    let mut area = node_areas(&domain);
+    flow.route(&domain, &z, &mut area);
+    for i in 0..1600 {
+        let mut node = i;
+        while flow.receivers()[node] as usize != node {
+            node = flow.receivers()[node] as usize;
+            assert!(valid[node]);
+        }
+    }
+}
+
+#[test]
+fn a_hand_made_lake_spills_over_its_lowest_pass() {
+    // One pit (1 m) in the middle; the rim is 5 m but for a notch of 3 m in the east.
+    let domain = raster(5, 5, Edges::default());
+    let mut z = vec![5.0; 25];
+    for i in 0..25 {
+        let cell = Shape::new(5, 5).cell(i);
+        if cell.row == 0 || cell.col == 0 || cell.row == 4 || cell.col == 4 {
+            z[i] = 0.0;
+        }
+    }
+    (z[12], z[13]) = (1.0, 3.0);
+    let mut flow = Flow::new();
+    let mut area = vec![1.0; 25];
+    flow.route(&domain, &z, &mut area);
+    assert_eq!(flow.lakes(), 1);
+    assert_eq!(flow.receivers()[12], 13);
+    assert_eq!(flow.water_level(&z)[12], 3.0);
+    assert_eq!(area.iter().zip(domain.status()).filter(|(_, s)| **s == BASE_LEVEL).map(|(a, _)| a).sum::<f64>(), 25.0);
+}
+
+#[test]
+fn a_closed_box_ends_in_its_own_pits() {
+    let domain = raster(20, 20, Edges::all(Edge::Closed));
+    let mut flow = Flow::new();
+    let mut area = node_areas(&domain);
+    flow.route(&domain, &rough(400, 1), &mut area);
+    let ends: Vec<usize> = (0..400).filter(|&i| flow.receivers()[i] as usize == i).collect();
+    assert_eq!(ends.len(), 1);
+    assert_eq!(area[ends[0]], 400.0 * 100.0);
+}
+
+#[test]
+fn degenerate_domains_are_routed() {
+    for (rows, cols) in [(1, 1), (1, 7), (7, 1), (2, 2), (3, 3)] {
+        check(&raster(rows, cols, Edges::default()), &rough(rows * cols, 3));
+    }
+    let mut flow = Flow::new();
+    let mut area = vec![1.0];
+    flow.route(&raster(1, 1, Edges::all(Edge::Closed)), &[0.0], &mut area);
+    assert_eq!(flow.receivers(), [0]);
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let domain = raster(300, 301, Edges::default());
+    let z = rough(300 * 301, 4);
+    let run = |threads| {
+        crate::parallel::with_threads(threads, || {
+            let mut flow = Flow::new();
+            let mut area = node_areas(&domain);
+            flow.route(&domain, &z, &mut area);
+            (flow.receivers().to_vec(), flow.order().to_vec(), area)
+        })
+        .unwrap()
+    };
+    assert_eq!(run(1), run(3));
+}
+
+#[test]
+fn the_numbering_of_sites_does_not_change_a_bit() {
+    let sites = poisson_disk([800.0, 800.0], 20.0, Seed(5)).unwrap();
+    let run = |sites: &[[f64; 2]]| {
+        let mesh = Mesh::delaunay(sites, Edges::default()).unwrap();
+        let z: Vec<f64> = mesh.positions().iter().map(|p| Seed((p[0] * 1e6) as u64).uniform((p[1] * 1e6) as u64)).collect();
+        let mut flow = Flow::new();
+        let mut area = node_areas(&*mesh.domain());
+        flow.route(mesh.graph(), &z, &mut area);
+        area
+    };
+    let mut reversed = sites.clone();
+    reversed.reverse();
+    assert_eq!(run(&sites), run(&reversed));
+}
+
+#[test]
+fn basins_are_numbered_from_one() {
+    let domain = raster(12, 12, Edges::default());
+    let z = rough(144, 7);
+    let mut flow = Flow::new();
+    flow.route(&domain, &z, &mut [1.0; 144]);
+    let basins = flow.basins(domain.status());
+    assert_eq!(basins.iter().max(), Some(&44), "one basin per border node");
+    assert!(basins.iter().all(|&b| b > 0));
+}

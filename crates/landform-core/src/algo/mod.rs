@@ -1,0 +1,7 @@
+//! Algorithms on grids and graphs, free of physics.
+
+pub mod depression;
+pub mod derivative;
+pub mod flow;
+pub mod noise;
+pub mod sampling;

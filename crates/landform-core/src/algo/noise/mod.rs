@@ -1,0 +1,5 @@
+//! Coherent noise.
+
+mod gradient;
+
+pub use gradient::{fbm, gradient_noise};

@@ -1,0 +1,5 @@
+//! Where to put nodes.
+
+mod poisson_disk;
+
+pub use poisson_disk::{poisson_disk, spacing_for_count};

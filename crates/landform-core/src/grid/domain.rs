@@ -1,0 +1,103 @@
+//! The graph that flow runs over: what rasters and meshes have in common.
+
+use std::ops::Range;
+
+/// Flat index of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Node(pub u32);
+
+/// What a node is to flow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Part of the landscape.
+    Interior,
+    /// Water leaves here; the elevation is given.
+    BaseLevel,
+    /// Outside of the landscape (nodata).
+    Masked,
+}
+
+/// [`Status::Interior`] as stored.
+pub const INTERIOR: u8 = 0;
+/// [`Status::BaseLevel`] as stored.
+pub const BASE_LEVEL: u8 = 1;
+/// [`Status::Masked`] as stored.
+pub const MASKED: u8 = 2;
+
+/// The slot of a node that has no receiver.
+pub const NO_SLOT: u8 = u8::MAX;
+
+/// A neighbour: the node, how far, and in which of the centre's slots.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link {
+    /// The neighbour.
+    pub to: usize,
+    /// Distance between the nodes, m.
+    pub distance: f64,
+    /// Index of this link among the centre's links.
+    pub slot: u8,
+}
+
+/// The little that graph algorithms need; implemented by rasters and by the mesh's graph.
+///
+/// Links of a node sit in numbered *slots*. Slots, like node indices, follow from the geometry alone, so that no result
+/// depends on the order in which a mesh's sites were given. Masked nodes are nobody's neighbour.
+pub trait Domain: Send + Sync + 'static {
+    /// Number of nodes.
+    fn len(&self) -> usize;
+
+    /// Whether there are no nodes.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Area that a node stands for, m².
+    fn area(&self, node: usize) -> f64;
+
+    /// Status of every node: [`INTERIOR`], [`BASE_LEVEL`] or [`MASKED`].
+    fn status(&self) -> &[u8];
+
+    /// Links of a node, in order of slots.
+    fn neighbours(&self, node: usize) -> impl Iterator<Item = Link>;
+
+    /// The neighbour in a slot.
+    fn neighbour(&self, node: usize, slot: u8) -> usize;
+
+    /// Distance to the neighbour in a slot, m.
+    fn distance(&self, node: usize, slot: u8) -> f64;
+
+    /// Width of the face shared with the neighbour in a slot over the distance to it: the conductance of a diffusive flux.
+    fn conductance(&self, node: usize, slot: u8) -> f64;
+
+    /// The slot in which the neighbour holds the link back.
+    fn slot_back(&self, node: usize, slot: u8) -> u8;
+
+    /// Whether the neighbours in two slots are certainly neighbours of each other.
+    fn adjacent_slots(&self, node: usize, a: u8, b: u8) -> bool;
+
+    /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
+    /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]);
+
+    /// Calls `visit(a, slot of b, b, slot of a)` once for each link between unmasked nodes of which the first is in `nodes`.
+    fn for_each_link(&self, nodes: Range<usize>, visit: impl FnMut(usize, u8, usize, u8));
+
+    /// The same graph with other base levels.
+    fn with_status(&self, status: Vec<u8>) -> Self
+    where
+        Self: Sized;
+}
+
+/// Steepest descent at one node by its list of links: the definition that faster kernels must agree with.
+#[inline]
+pub(super) fn steepest_link(domain: &impl Domain, elevation: &[f64], node: usize) -> Option<Link> {
+    let z = elevation[node];
+    let mut best = (0.0, None);
+    for link in domain.neighbours(node) {
+        let slope = (z - elevation[link.to]) / link.distance;
+        if slope > best.0 {
+            best = (slope, Some(link));
+        }
+    }
+    best.1
+}

@@ -1,0 +1,71 @@
+//! What happens at the four sides of a raster.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A side of a rectangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Side {
+    /// Row 0.
+    North,
+    /// The last column.
+    East,
+    /// The last row.
+    South,
+    /// Column 0.
+    West,
+}
+
+/// What a side does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Edge {
+    /// Water and sediment leave; the elevation is a fixed base level.
+    #[default]
+    Open,
+    /// Nothing crosses.
+    Closed,
+    /// What leaves enters at the opposite side.
+    Periodic,
+}
+
+/// What the four sides do. Periodic sides come in opposite pairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Edges {
+    /// Row 0.
+    pub north: Edge,
+    /// The last column.
+    pub east: Edge,
+    /// The last row.
+    pub south: Edge,
+    /// Column 0.
+    pub west: Edge,
+}
+
+impl Edges {
+    /// All four sides alike.
+    pub const fn all(edge: Edge) -> Self {
+        Self { north: edge, east: edge, south: edge, west: edge }
+    }
+
+    /// The edge of a side.
+    pub const fn get(self, side: Side) -> Edge {
+        match side {
+            Side::North => self.north,
+            Side::East => self.east,
+            Side::South => self.south,
+            Side::West => self.west,
+        }
+    }
+
+    /// Whether columns wrap around (west meets east).
+    pub fn wraps_cols(self) -> bool {
+        self.west == Edge::Periodic && self.east == Edge::Periodic
+    }
+
+    /// Whether rows wrap around (north meets south).
+    pub fn wraps_rows(self) -> bool {
+        self.north == Edge::Periodic && self.south == Edge::Periodic
+    }
+}

@@ -1,0 +1,18 @@
+//! Index space: shapes, borders, places on the Earth, and the graph that flow runs over.
+
+mod domain;
+mod edges;
+mod georeference;
+mod graph;
+#[expect(clippy::module_inception, reason = "the grid is what the folder is named for")]
+mod grid;
+mod raster;
+mod shape;
+
+pub use domain::{BASE_LEVEL, Domain, INTERIOR, Link, MASKED, NO_SLOT, Node, Status};
+pub use edges::{Edge, Edges, Side};
+pub use georeference::{Georeference, Registration};
+pub use graph::Graph;
+pub use grid::Grid;
+pub use raster::RasterDomain;
+pub use shape::{Cell, Shape};

@@ -1,0 +1,361 @@
+//! A raster as a graph: eight neighbours, direction codes counter-clockwise from east.
+//!
+//! Slots: 0 east, 1 north-east, 2 north, 3 north-west, 4 west, 5 south-west, 6 south, 7 south-east. Opposite slots differ
+//! by 4. Masked nodes hold NaN in every elevation that is passed in, so that no comparison ever chooses them.
+
+use std::ops::Range;
+
+use super::domain::steepest_link;
+use super::{BASE_LEVEL, Domain, Edge, Grid, INTERIOR, Link, MASKED, NO_SLOT, Shape, Side};
+use crate::parallel;
+
+const ROW_STEP: [isize; 8] = [0, -1, -1, -1, 0, 1, 1, 1];
+const COL_STEP: [isize; 8] = [1, 1, 0, -1, -1, -1, 0, 1];
+
+/// ADJACENT[a] has bit b set if the cells in directions a and b touch (side or corner).
+const ADJACENT: [u8; 8] = adjacency();
+
+const fn adjacency() -> [u8; 8] {
+    let mut table = [0u8; 8];
+    let mut a = 0;
+    while a < 8 {
+        let mut b = 0;
+        while b < 8 {
+            let (dr, dc) = (ROW_STEP[a] - ROW_STEP[b], COL_STEP[a] - COL_STEP[b]);
+            if a != b && dr * dr <= 1 && dc * dc <= 1 {
+                table[a] |= 1 << b;
+            }
+            b += 1;
+        }
+        a += 1;
+    }
+    table
+}
+
+/// A grid's nodes as a graph of eight neighbours.
+#[derive(Clone, Debug)]
+pub struct RasterDomain {
+    shape: Shape,
+    offset: [isize; 8],
+    distance: [f64; 8],
+    conductance: [f64; 8],
+    area: f64,
+    wraps_cols: bool,
+    wraps_rows: bool,
+    status: Vec<u8>,
+    has_mask: bool,
+}
+
+impl RasterDomain {
+    /// From a grid, its validity mask (empty: all valid) and its edges.
+    ///
+    /// Nodes on open sides are base level; so is the rim of nodata that reaches an open side. Nodata inside is a hole that
+    /// water does not cross.
+    pub fn new(grid: &Grid, valid: &[bool]) -> Self {
+        let cols = grid.shape.cols as isize;
+        let [dx, dy] = grid.spacing;
+        let diagonal = (dx * dx + dy * dy).sqrt();
+        let distance = [dx, diagonal, dy, diagonal, dx, diagonal, dy, diagonal];
+        let mut domain = Self {
+            shape: grid.shape,
+            offset: std::array::from_fn(|k| ROW_STEP[k] * cols + COL_STEP[k]),
+            distance,
+            conductance: [dy / dx, 0.0, dx / dy, 0.0, dy / dx, 0.0, dx / dy, 0.0],
+            area: dx * dy,
+            wraps_cols: grid.edges.wraps_cols() && grid.shape.cols > 2,
+            wraps_rows: grid.edges.wraps_rows() && grid.shape.rows > 2,
+            status: vec![INTERIOR; grid.len()],
+            has_mask: false,
+        };
+        for side in [Side::North, Side::East, Side::South, Side::West] {
+            if grid.edges.get(side) == Edge::Open {
+                for i in side_nodes(grid.shape, side) {
+                    domain.status[i] = BASE_LEVEL;
+                }
+            }
+        }
+        domain.mask(valid);
+        domain
+    }
+
+    /// Number of rows and columns.
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn mask(&mut self, valid: &[bool]) {
+        if valid.iter().all(|&v| v) {
+            return;
+        }
+        self.has_mask = true;
+        let outside = self.outside(valid);
+        for i in 0..valid.len() {
+            if !valid[i] {
+                self.status[i] = MASKED;
+            } else if self.status[i] == INTERIOR
+                && (0..8).any(|k| self.step(i, k).is_some_and(|j| outside[j]))
+            {
+                self.status[i] = BASE_LEVEL;
+            }
+        }
+    }
+
+    /// Nodata that is connected to an open side.
+    fn outside(&self, valid: &[bool]) -> Vec<bool> {
+        let mut outside = vec![false; valid.len()];
+        let mut stack: Vec<usize> = (0..valid.len()).filter(|&i| !valid[i] && self.status[i] == BASE_LEVEL).collect();
+        while let Some(i) = stack.pop() {
+            if std::mem::replace(&mut outside[i], true) {
+                continue;
+            }
+            stack.extend((0..8).filter_map(|k| self.step(i, k)).filter(|&j| !valid[j] && !outside[j]));
+        }
+        outside
+    }
+
+    /// The node one step away in direction `k`, if it is in the raster.
+    #[inline]
+    fn step(&self, node: usize, k: usize) -> Option<usize> {
+        let cell = self.shape.cell(node);
+        let row = wrap(cell.row, ROW_STEP[k], self.shape.rows, self.wraps_rows)?;
+        let col = wrap(cell.col, COL_STEP[k], self.shape.cols, self.wraps_cols)?;
+        Some(self.shape.index(row, col))
+    }
+
+    fn is_rim(&self, node: usize) -> bool {
+        let cell = self.shape.cell(node);
+        cell.row == 0 || cell.col == 0 || cell.row + 1 == self.shape.rows || cell.col + 1 == self.shape.cols
+    }
+
+    /// Steepest descent for one row; nodes with all eight neighbours take the branch-free kernel.
+    fn steepest_row(&self, elevation: &[f64], row: usize, slots: &mut [u8]) {
+        let cols = self.shape.cols;
+        let inner = row > 0 && row + 1 < self.shape.rows && cols > 2;
+        if inner {
+            let rows = &elevation[(row - 1) * cols..(row + 2) * cols];
+            let inverse = [1.0 / self.distance[0], 1.0 / self.distance[1], 1.0 / self.distance[2]];
+            steepest_kernel(rows, cols, inverse, slots);
+        }
+        let status = &self.status[row * cols..(row + 1) * cols];
+        for col in 0..cols {
+            if !inner || col == 0 || col + 1 == cols {
+                slots[col] = steepest_link(self, elevation, row * cols + col).map_or(NO_SLOT, |l| l.slot);
+            }
+        }
+        for (slot, &s) in slots.iter_mut().zip(status) {
+            *slot = if s == INTERIOR { *slot } else { NO_SLOT };
+        }
+    }
+
+    #[inline(always)]
+    fn forward_link(&self, a: usize, k: usize, visit: &mut impl FnMut(usize, u8, usize, u8)) {
+        let b = (a as isize + self.offset[k]) as usize;
+        visit(a, k as u8, b, (k as u8 + 4) & 7);
+    }
+}
+
+/// Columns 1..cols−1 of a row with a row above and below. Slopes are compared as drop times inverse distance.
+fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8]) {
+    let (up, rest) = rows.split_at(cols);
+    let (here, down) = rest.split_at(cols);
+    let [ix, id, iy] = inverse;
+    let n = cols - 2;
+    let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
+    let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
+    let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
+    let out = &mut slots[1..=n];
+    for j in 0..n {
+        let z = hc[j];
+        let slopes = [
+            (z - he[j]) * ix,
+            (z - ue[j]) * id,
+            (z - uc[j]) * iy,
+            (z - uw[j]) * id,
+            (z - hw[j]) * ix,
+            (z - dw[j]) * id,
+            (z - dc[j]) * iy,
+            (z - de[j]) * id,
+        ];
+        let (mut best, mut slot) = (0.0, NO_SLOT);
+        for (k, &s) in slopes.iter().enumerate() {
+            let steeper = s > best;
+            best = if steeper { s } else { best };
+            slot = if steeper { k as u8 } else { slot };
+        }
+        out[j] = slot;
+    }
+}
+
+fn wrap(at: usize, step: isize, n: usize, wraps: bool) -> Option<usize> {
+    match at.checked_add_signed(step) {
+        Some(i) if i < n => Some(i),
+        Some(_) if wraps => Some(0),
+        None if wraps => Some(n - 1),
+        _ => None,
+    }
+}
+
+/// The nodes of a side, west to east or north to south.
+pub(super) fn side_nodes(shape: Shape, side: Side) -> Box<dyn Iterator<Item = usize>> {
+    let Shape { rows, cols } = shape;
+    match side {
+        Side::North => Box::new(0..cols),
+        Side::South => Box::new((rows - 1) * cols..rows * cols),
+        Side::West => Box::new((0..rows).map(move |r| r * cols)),
+        Side::East => Box::new((0..rows).map(move |r| r * cols + cols - 1)),
+    }
+}
+
+impl Domain for RasterDomain {
+    fn len(&self) -> usize {
+        self.status.len()
+    }
+
+    fn area(&self, _: usize) -> f64 {
+        self.area
+    }
+
+    fn status(&self) -> &[u8] {
+        &self.status
+    }
+
+    fn neighbours(&self, node: usize) -> impl Iterator<Item = Link> {
+        (0..8).filter_map(move |k| {
+            let to = self.step(node, k).filter(|&j| self.status[j] != MASKED)?;
+            Some(Link { to, distance: self.distance[k], slot: k as u8 })
+        })
+    }
+
+    #[inline]
+    fn neighbour(&self, node: usize, slot: u8) -> usize {
+        if (self.wraps_cols || self.wraps_rows) && self.is_rim(node) {
+            return self.step(node, slot as usize).unwrap_or(node);
+        }
+        (node as isize + self.offset[slot as usize & 7]) as usize
+    }
+
+    #[inline]
+    fn distance(&self, _: usize, slot: u8) -> f64 {
+        self.distance[slot as usize & 7]
+    }
+
+    #[inline]
+    fn conductance(&self, _: usize, slot: u8) -> f64 {
+        self.conductance[slot as usize & 7]
+    }
+
+    #[inline]
+    fn slot_back(&self, _: usize, slot: u8) -> u8 {
+        (slot + 4) & 7
+    }
+
+    #[inline]
+    fn adjacent_slots(&self, _: usize, a: u8, b: u8) -> bool {
+        ADJACENT[a as usize & 7] >> (b & 7) & 1 == 1
+    }
+
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
+        let cols = self.shape.cols;
+        let band = cols * (parallel::PIECE / cols).max(1);
+        parallel::for_pieces_mut2(receiver, slot, band, |first, receivers, slots| {
+            for (k, (receivers, slots)) in receivers.chunks_mut(cols).zip(slots.chunks_mut(cols)).enumerate() {
+                let row = first / cols + k;
+                self.steepest_row(elevation, row, slots);
+                for (col, (r, &s)) in receivers.iter_mut().zip(slots.iter()).enumerate() {
+                    let node = row * cols + col;
+                    *r = if s == NO_SLOT { node } else { self.neighbour(node, s) } as u32;
+                }
+            }
+        });
+    }
+
+    #[inline]
+    fn for_each_link(&self, nodes: Range<usize>, mut visit: impl FnMut(usize, u8, usize, u8)) {
+        let (rows, cols) = (self.shape.rows, self.shape.cols);
+        for a in nodes {
+            if self.has_mask && self.status[a] == MASKED {
+                continue;
+            }
+            let row = a / cols;
+            let col = a - row * cols;
+            // Each link once: from its western, or for north-south its northern, end: east, south-east, south, south-west.
+            if !self.has_mask && row + 1 < rows && col > 0 && col + 1 < cols {
+                for k in [0, 7, 6, 5] {
+                    self.forward_link(a, k, &mut visit);
+                }
+                continue;
+            }
+            for k in [0usize, 7, 6, 5] {
+                if let Some(b) = self.step(a, k)
+                    && self.status[b] != MASKED
+                    && b != a
+                {
+                    visit(a, k as u8, b, (k as u8 + 4) & 7);
+                }
+            }
+        }
+    }
+
+    fn with_status(&self, status: Vec<u8>) -> Self {
+        let has_mask = status.contains(&MASKED);
+        Self { status, has_mask, ..self.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+    use crate::random::Seed;
+
+    fn noise(n: usize) -> Vec<f64> {
+        (0..n).map(|i| Seed(5).uniform(i as u64)).collect()
+    }
+
+    #[test]
+    fn the_row_kernel_agrees_with_the_definition() {
+        for edges in [Edges::default(), Edges::all(Edge::Closed), Edges::all(Edge::Periodic)] {
+            let mut grid = Grid::new(Shape::new(13, 17), [10.0, 7.0]).unwrap();
+            grid.edges = edges;
+            let domain = RasterDomain::new(&grid, &[]);
+            let z = noise(grid.len());
+            let (mut receiver, mut slot) = (vec![0; z.len()], vec![0; z.len()]);
+            domain.steepest_descent(&z, &mut receiver, &mut slot);
+            for i in 0..z.len() {
+                let expected = if domain.status[i] == INTERIOR { steepest_link(&domain, &z, i) } else { None };
+                assert_eq!(slot[i], expected.map_or(NO_SLOT, |l| l.slot));
+                assert_eq!(receiver[i] as usize, expected.map_or(i, |l| l.to));
+            }
+        }
+    }
+
+    #[test]
+    fn links_are_visited_once_and_lead_back() {
+        for (edges, count) in [(Edge::Closed, 4 * 20 - 5 - 4 - 2 * 8), (Edge::Periodic, 4 * 20)] {
+            let mut grid = Grid::new(Shape::new(4, 5), [1.0, 1.0]).unwrap();
+            grid.edges = Edges::all(edges);
+            let domain = RasterDomain::new(&grid, &[]);
+            let mut seen = std::collections::BTreeSet::new();
+            domain.for_each_link(0..20, |a, s, b, t| {
+                assert_eq!(domain.neighbour(a, s), b);
+                assert_eq!(domain.neighbour(b, t), a);
+                assert!(seen.insert((a.min(b), a.max(b), s.min(t))));
+            });
+            assert_eq!(seen.len(), if edges == Edge::Closed { 4 * 4 + 3 * 5 + 2 * 3 * 4 } else { count });
+        }
+    }
+
+    #[test]
+    fn outer_nodata_has_an_open_rim_and_a_hole_has_not() {
+        let grid = Grid::new(Shape::new(9, 9), [1.0, 1.0]).unwrap();
+        let mut valid = vec![true; 81];
+        for c in 0..9 {
+            valid[c] = false;
+        }
+        valid[5 * 9 + 4] = false;
+        let domain = RasterDomain::new(&grid, &valid);
+        assert_eq!(domain.status[9 + 4], BASE_LEVEL, "below the outer nodata");
+        assert_eq!(domain.status[4 * 9 + 4], INTERIOR, "beside the hole");
+        assert!(domain.neighbours(4 * 9 + 4).all(|l| l.to != 5 * 9 + 4));
+    }
+}

@@ -1,0 +1,30 @@
+//! What a terrain is, and how anything is run. No physics, no files.
+//!
+//! The layers, each of which may use only those above it:
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`error`], [`units`], [`random`], [`math`], [`parallel`] | what everything stands on |
+//! | [`grid`] | index space, borders, georeference, and [`Domain`](grid::Domain): the graph that flow runs over |
+//! | [`field`] | named, typed values per node |
+//! | [`terrain`] | the representations: [`HeightField`](terrain::HeightField), [`Mesh`](terrain::Mesh) |
+//! | [`algo`] | flow routing, depressions, derivatives, noise, sampling |
+//! | [`verb`] | parameters, values that vary in space, and the six verbs |
+//! | [`analysis`], [`sim`] | read-only measures; the driver of processes in time |
+//!
+//! All quantities inside are SI (metres, seconds); see [`units`] for how people write them.
+
+pub mod algo;
+pub mod analysis;
+pub mod error;
+pub mod field;
+pub mod grid;
+pub mod math;
+pub mod parallel;
+pub mod random;
+pub mod sim;
+pub mod terrain;
+pub mod units;
+pub mod verb;
+
+pub use error::{Error, Result};

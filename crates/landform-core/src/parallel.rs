@@ -1,0 +1,117 @@
+//! The only parallel tools: ordered maps and fixed-tree sums. The only file that names rayon.
+//!
+//! Work is cut into pieces of fixed size, never by the number of threads, and pieces are combined in order; so a result
+//! has the same bits on any number of threads.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use crate::{Error, Result};
+
+/// Length of a piece. Small enough to balance two cores on 10⁵ nodes, large enough that a piece outweighs its scheduling.
+pub const PIECE: usize = 16_384;
+
+fn pieces(n: usize) -> usize {
+    n.div_ceil(PIECE)
+}
+
+fn piece(k: usize, n: usize) -> Range<usize> {
+    k * PIECE..((k + 1) * PIECE).min(n)
+}
+
+/// The sum of `f` over 0..n, added in a fixed order. **Cost** O(n).
+pub fn sum(n: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
+    map_pieces(n, |r| r.map(&f).sum::<f64>()).into_iter().sum()
+}
+
+/// The greatest of `f` over 0..n, or negative infinity for n = 0; NaN is passed over.
+pub fn max(n: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
+    map_pieces(n, |r| r.map(&f).fold(f64::NEG_INFINITY, f64::max)).into_iter().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The first index for which `f` holds.
+pub fn find_first(n: usize, f: impl Fn(usize) -> bool + Sync) -> Option<usize> {
+    map_pieces(n, |mut r| r.find(|&i| f(i))).into_iter().flatten().next()
+}
+
+/// `f` of every index, in order.
+pub fn map<T: Send>(n: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    (0..n).into_par_iter().with_min_len(PIECE.min(n / 64 + 1)).map(|i| f(i)).collect()
+}
+
+/// `f` of every piece of 0..n, in order.
+pub fn map_pieces<T: Send>(n: usize, f: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    if n <= PIECE {
+        return if n == 0 { Vec::new() } else { vec![f(0..n)] };
+    }
+    (0..pieces(n)).into_par_iter().map(|k| f(piece(k, n))).collect()
+}
+
+/// Sets `out[i] = f(i)`.
+pub fn fill<T: Send>(out: &mut [T], f: impl Fn(usize) -> T + Sync) {
+    update(out, |i, v| *v = f(i));
+}
+
+/// Calls `f(i, &mut out[i])` for every index.
+pub fn update<T: Send>(out: &mut [T], f: impl Fn(usize, &mut T) + Sync) {
+    for_rows_mut(out, PIECE, |k, row| {
+        for (j, v) in row.iter_mut().enumerate() {
+            f(k * PIECE + j, v);
+        }
+    });
+}
+
+/// Calls `f(row, values)` for every row of a row-major slice.
+pub fn for_rows_mut<T: Send>(out: &mut [T], cols: usize, f: impl Fn(usize, &mut [T]) + Sync) {
+    if out.len() <= PIECE.max(cols) {
+        out.chunks_mut(cols.max(1)).enumerate().for_each(|(k, row)| f(k, row));
+    } else {
+        out.par_chunks_mut(cols).enumerate().for_each(|(k, row)| f(k, row));
+    }
+}
+
+/// Calls `f(first index, a, b)` for matching pieces of two slices of equal length.
+pub fn for_pieces_mut2<A: Send, B: Send>(a: &mut [A], b: &mut [B], size: usize, f: impl Fn(usize, &mut [A], &mut [B]) + Sync) {
+    let size = size.max(1);
+    if a.len() <= size {
+        return f(0, a, b);
+    }
+    a.par_chunks_mut(size).zip(b.par_chunks_mut(size)).enumerate().for_each(|(k, (a, b))| f(k * size, a, b));
+}
+
+/// Runs `f` on exactly `threads` threads (0: as many as there are cores).
+///
+/// # Errors
+/// [`Error::Io`] if the threads cannot be started.
+pub fn with_threads<T: Send>(threads: usize, f: impl FnOnce() -> T + Send) -> Result<T> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|e| Error::io("start", "threads", std::io::Error::other(e)))?;
+    Ok(pool.install(f))
+}
+
+/// How many threads the current pool has.
+pub fn threads() -> usize {
+    rayon::current_num_threads()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sum_has_the_same_bits_on_any_number_of_threads() {
+        let f = |i: usize| 1.0 / (i as f64 + 0.1);
+        let sums: Vec<f64> = [1, 2, 3, 8].iter().map(|&t| with_threads(t, || sum(200_000, f)).unwrap()).collect();
+        assert!(sums.iter().all(|s| s.to_bits() == sums[0].to_bits()));
+    }
+
+    #[test]
+    fn map_keeps_order_and_find_first_finds_the_first() {
+        assert!(map(50_000, |i| i).iter().enumerate().all(|(i, &v)| i == v));
+        assert_eq!(find_first(100_000, |i| i % 30_000 == 29_999), Some(29_999));
+        assert_eq!(max(0, |_| 1.0), f64::NEG_INFINITY);
+    }
+}

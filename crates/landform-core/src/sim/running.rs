@@ -1,0 +1,66 @@
+//! A process with its state, behind one face.
+
+use crate::terrain::Terrain;
+use crate::verb::{Change, Context, Process, Step};
+use crate::{Error, Result};
+
+/// What the driver asks of a process, whatever its types.
+pub(super) trait Running<T: Terrain>: Send {
+    fn name(&self) -> &'static str;
+    fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()>;
+    fn max_step(&self, terrain: &T) -> Option<f64>;
+    fn begin(&mut self, terrain: &T) -> Result<()>;
+    fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change>;
+    fn finish(&mut self, terrain: &mut T) -> Result<()>;
+    fn save(&self) -> Result<Vec<u8>>;
+    fn load(&mut self, bytes: &[u8]) -> Result<()>;
+}
+
+/// A process and, once started, its state.
+pub(super) struct Run<P, S> {
+    pub(super) params: P,
+    pub(super) state: Option<S>,
+}
+
+impl<T: Terrain, P: Process<T>> Running<T> for Run<P, P::State> {
+    fn name(&self) -> &'static str {
+        P::NAME
+    }
+
+    fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()> {
+        self.state = Some(self.params.start(terrain, context)?);
+        Ok(())
+    }
+
+    fn max_step(&self, terrain: &T) -> Option<f64> {
+        self.state.as_ref().and_then(|s| self.params.max_step(terrain, s))
+    }
+
+    fn begin(&mut self, terrain: &T) -> Result<()> {
+        let state = self.state.as_mut().ok_or_else(|| not_started(P::NAME))?;
+        self.params.begin(terrain, state)
+    }
+
+    fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change> {
+        let state = self.state.as_mut().ok_or_else(|| not_started(P::NAME))?;
+        self.params.step(terrain, state, at)
+    }
+
+    fn finish(&mut self, terrain: &mut T) -> Result<()> {
+        let state = self.state.as_mut().ok_or_else(|| not_started(P::NAME))?;
+        self.params.finish(terrain, state)
+    }
+
+    fn save(&self) -> Result<Vec<u8>> {
+        postcard::to_stdvec(&self.state).map_err(|e| Error::format("process state", e))
+    }
+
+    fn load(&mut self, bytes: &[u8]) -> Result<()> {
+        self.state = postcard::from_bytes(bytes).map_err(|e| Error::format("process state", e))?;
+        Ok(())
+    }
+}
+
+fn not_started(name: &str) -> Error {
+    Error::parameter(name, "not started", "a call of `start` before `step`")
+}

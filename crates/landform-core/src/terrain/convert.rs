@@ -1,0 +1,209 @@
+//! From one representation to another: `target_from_source`.
+
+use super::{HeightField, Mesh, NodeSurface, height_field};
+use crate::field::{Fields, Values};
+use crate::grid::Grid;
+use crate::{Result, parallel};
+
+/// A raster of a mesh: linear on each triangle for real fields, the nearest corner's value for identifiers.
+///
+/// Nodes outside of the hull become nodata. **Cost** O(nodes + cells), after Bell's O(cells × kernel).
+///
+/// `receiver`, which holds indices of nodes, is left behind.
+///
+/// # Errors
+/// As [`Grid::covering`].
+pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField> {
+    let [lo, hi] = mesh.bounds();
+    let mut grid = Grid::covering([hi[0] - lo[0], hi[1] - lo[1]], cell_size)?;
+    grid.origin = [lo[0], hi[1]];
+    let triangle = locate(mesh, &grid);
+    let linear = |values: &[f64]| {
+        parallel::map(grid.len(), |i| match triangle[i] {
+            u32::MAX => f64::NAN,
+            t => {
+                let corners = mesh.triangles()[t as usize];
+                let weights = barycentric(mesh, corners, grid.position(i));
+                (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum()
+            }
+        })
+    };
+    let nearest = |values: &[u32]| {
+        parallel::map(grid.len(), |i| match triangle[i] {
+            u32::MAX => 0,
+            t => {
+                let corners = mesh.triangles()[t as usize];
+                let weights = barycentric(mesh, corners, grid.position(i));
+                let k = (0..3).max_by(|&a, &b| weights[a].total_cmp(&weights[b])).unwrap_or(0);
+                values[corners[k] as usize]
+            }
+        })
+    };
+    let elevation = linear(mesh.elevation());
+    let mut fields = Fields::default();
+    for (name, values) in mesh.fields.iter().filter(|(name, _)| *name != "receiver") {
+        let values = match values {
+            Values::F64(v) => Values::F64(linear(v)),
+            Values::U32(v) => Values::U32(nearest(v)),
+        };
+        fields.insert_values(name, values);
+    }
+    let mut field = HeightField::new(grid, elevation)?;
+    field.fields = fields;
+    Ok(field)
+}
+
+fn barycentric(mesh: &Mesh, corners: [u32; 3], p: [f64; 2]) -> [f64; 3] {
+    let [a, b, c] = corners.map(|i| mesh.positions()[i as usize]);
+    let cross = |o: [f64; 2], u: [f64; 2], v: [f64; 2]| (u[0] - o[0]) * (v[1] - o[1]) - (u[1] - o[1]) * (v[0] - o[0]);
+    let total = cross(a, b, c);
+    let w = [(cross(p, b, c) / total).clamp(0.0, 1.0), (cross(p, c, a) / total).clamp(0.0, 1.0)];
+    [w[0], w[1], (1.0 - w[0] - w[1]).max(0.0)]
+}
+
+/// The triangle over each node of the grid (the first in order where several touch), or `u32::MAX`.
+fn locate(mesh: &Mesh, grid: &Grid) -> Vec<u32> {
+    let mut owner = vec![u32::MAX; grid.len()];
+    let (cols, rows) = (grid.shape.cols as f64, grid.shape.rows as f64);
+    for (t, corners) in mesh.triangles().iter().enumerate() {
+        let points = corners.map(|i| grid.col_row(mesh.positions()[i as usize]));
+        let low = |k: usize| points.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min);
+        let high = |k: usize| points.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max);
+        let (r0, r1) = ((low(1) - 1e-9).ceil().max(0.0), (high(1) + 1e-9).floor().min(rows - 1.0));
+        let (c0, c1) = ((low(0) - 1e-9).ceil().max(0.0), (high(0) + 1e-9).floor().min(cols - 1.0));
+        if r0 > r1 || c0 > c1 {
+            continue;
+        }
+        for row in r0 as usize..=r1 as usize {
+            for col in c0 as usize..=c1 as usize {
+                let i = grid.shape.index(row, col);
+                if owner[i] == u32::MAX && inside(points, [col as f64, row as f64]) {
+                    owner[i] = t as u32;
+                }
+            }
+        }
+    }
+    owner
+}
+
+fn inside(t: [[f64; 2]; 3], p: [f64; 2]) -> bool {
+    // Columns grow east and rows south, so a triangle that is counter-clockwise on the ground is clockwise here.
+    let side = |a: [f64; 2], b: [f64; 2]| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) <= 1e-9;
+    side(t[0], t[1]) && side(t[1], t[2]) && side(t[2], t[0])
+}
+
+/// A raster on another grid: bilinear where the new cells are not larger, else the mean over the new cell. Nodata spreads
+/// to cells that lack data for half of their weight.
+///
+/// # Errors
+/// As [`HeightField::new`].
+pub fn resample(source: &HeightField, grid: &Grid) -> Result<HeightField> {
+    let ratio = |k: usize| (grid.spacing[k] / source.grid.spacing[k]).max(1.0);
+    let (nx, ny) = (ratio(0).round().min(64.0) as usize, ratio(1).round().min(64.0) as usize);
+    let value = |values: &[f64], i: usize| {
+        let [x, y] = grid.position(i);
+        let (mut sum, mut count) = (0.0, 0usize);
+        for a in 0..ny {
+            for b in 0..nx {
+                let dx = ((b as f64 + 0.5) / nx as f64 - 0.5) * grid.spacing[0];
+                let dy = ((a as f64 + 0.5) / ny as f64 - 0.5) * grid.spacing[1];
+                let v = height_field::sample(&source.grid, values, [x + dx, y - dy]);
+                if !v.is_nan() {
+                    sum += v;
+                    count += 1;
+                }
+            }
+        }
+        if count * 2 >= (nx * ny).max(1) || (count > 0 && on_rim(grid, i) && count * 4 >= nx * ny) {
+            sum / count as f64
+        } else {
+            f64::NAN
+        }
+    };
+    let elevation = parallel::map(grid.len(), |i| value(source.elevation(), i));
+    let mut field = HeightField::new(grid.clone(), elevation)?;
+    for (name, values) in source.fields.iter() {
+        if let Values::F64(v) = values {
+            field.fields.insert_values(name, Values::F64(parallel::map(grid.len(), |i| value(v, i))));
+        }
+    }
+    Ok(field)
+}
+
+fn on_rim(grid: &Grid, i: usize) -> bool {
+    let cell = grid.shape.cell(i);
+    cell.row == 0 || cell.col == 0 || cell.row + 1 == grid.shape.rows || cell.col + 1 == grid.shape.cols
+}
+
+/// Points (x, y, z) and counter-clockwise triangles of a raster; squares with a nodata corner are left out.
+pub fn mesh_parts_from_height_field(field: &HeightField) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let shape = field.grid.shape;
+    let z = field.elevation();
+    let mut index = vec![u32::MAX; z.len()];
+    let mut points = Vec::new();
+    for i in 0..z.len() {
+        if !z[i].is_nan() {
+            index[i] = points.len() as u32;
+            let [x, y] = field.grid.position(i);
+            points.push([x, y, z[i]]);
+        }
+    }
+    let mut triangles = Vec::new();
+    for row in 0..shape.rows.saturating_sub(1) {
+        for col in 0..shape.cols.saturating_sub(1) {
+            let at = |r: usize, c: usize| index[shape.index(row + r, col + c)];
+            let [nw, ne, sw, se] = [at(0, 0), at(0, 1), at(1, 0), at(1, 1)];
+            for t in [[nw, sw, se], [nw, se, ne]] {
+                if !t.contains(&u32::MAX) {
+                    triangles.push(t);
+                }
+            }
+        }
+    }
+    (points, triangles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algo::sampling::poisson_disk;
+    use crate::field::names;
+    use crate::grid::{Domain, Edges, Shape};
+    use crate::random::Seed;
+
+    #[test]
+    fn a_plane_on_a_mesh_is_the_same_plane_on_a_raster() {
+        let sites = poisson_disk([1000.0, 800.0], 25.0, Seed(1)).unwrap();
+        let mut mesh = Mesh::delaunay(&sites, Edges::default()).unwrap();
+        let plane = |[x, y]: [f64; 2]| 3.0 + 0.5 * x - 0.25 * y;
+        for i in 0..mesh.graph().len() {
+            mesh.elevation_mut()[i] = plane(mesh.positions()[i]);
+        }
+        mesh.fields.insert(&names::BASIN, vec![4; mesh.graph().len()]);
+        let field = height_field_from_mesh(&mesh, 20.0).unwrap();
+        assert_eq!(field.grid.shape, Shape::new(41, 51));
+        for i in 0..field.grid.len() {
+            assert!((field.elevation()[i] - plane(field.grid.position(i))).abs() < 1e-9);
+        }
+        assert!(field.fields.get(&names::BASIN, "test").unwrap().iter().all(|&b| b == 4));
+    }
+
+    #[test]
+    fn resampling_keeps_a_plane_and_holes() {
+        let grid = Grid::new(Shape::new(21, 21), [10.0, 10.0]).unwrap();
+        let mut z: Vec<f64> = (0..grid.len()).map(|i| grid.position(i)[0] + 2.0 * grid.position(i)[1]).collect();
+        for r in 8..13 {
+            for c in 8..13 {
+                z[r * 21 + c] = f64::NAN;
+            }
+        }
+        let field = HeightField::new(grid.clone(), z).unwrap();
+        let fine = resample(&field, &grid.with_cell_size(5.0).unwrap()).unwrap();
+        assert!((fine.elevation_at([35.0, 45.0]) - 125.0).abs() < 1e-9);
+        assert!(fine.elevation_at([100.0, 100.0]).is_nan());
+        let coarse = resample(&field, &grid.with_cell_size(20.0).unwrap()).unwrap();
+        assert_eq!(coarse.grid.shape, Shape::new(11, 11));
+        assert!((coarse.elevation_at([40.0, 40.0]) - 120.0).abs() < 1e-9);
+        assert!(coarse.elevation_at([100.0, 100.0]).is_nan());
+    }
+}

@@ -1,0 +1,146 @@
+//! A raster of elevations.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{NodeSurface, Terrain};
+use crate::field::Fields;
+use crate::grid::{Domain, Grid, RasterDomain};
+use crate::{Error, Result, parallel};
+
+/// One elevation per node of a regular grid. Nodata is NaN in the elevation, and nowhere else.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HeightField {
+    /// The grid.
+    pub grid: Grid,
+    elevation: Vec<f64>,
+    /// Which nodes have data; empty if all have.
+    valid: Arc<Vec<bool>>,
+    /// Status of every node, where it is not what the edges say.
+    status: Option<Arc<Vec<u8>>>,
+    /// Optional fields, in the grid's order.
+    pub fields: Fields,
+}
+
+impl HeightField {
+    /// From a grid and its elevations, row-major from the north-west, m; NaN is nodata.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] if the lengths differ; [`Error::NonFinite`] if an elevation is infinite; [`Error::Empty`] if all
+    /// are nodata.
+    pub fn new(grid: Grid, elevation: Vec<f64>) -> Result<Self> {
+        if elevation.len() != grid.len() {
+            return Err(Error::Shape {
+                what: "elevation".into(),
+                found: format!("{} values", elevation.len()),
+                expected: format!("{} ({})", grid.len(), grid.shape),
+            });
+        }
+        if let Some(node) = parallel::find_first(elevation.len(), |i| elevation[i].is_infinite()) {
+            return Err(Error::NonFinite { field: "elevation".into(), node, after: "reading".into() });
+        }
+        if parallel::find_first(elevation.len(), |i| elevation[i].is_finite()).is_none() {
+            return Err(Error::Empty { what: "the elevation".into() });
+        }
+        let holes = parallel::find_first(elevation.len(), |i| elevation[i].is_nan()).is_some();
+        let valid = if holes { parallel::map(elevation.len(), |i| !elevation[i].is_nan()) } else { Vec::new() };
+        Ok(Self { grid, elevation, valid: Arc::new(valid), status: None, fields: Fields::default() })
+    }
+
+    /// Whether a node has data.
+    pub fn is_valid(&self, node: usize) -> bool {
+        self.valid.get(node).copied().unwrap_or(true)
+    }
+
+    /// Number of nodes without data.
+    pub fn nodata_count(&self) -> usize {
+        self.valid.iter().filter(|v| !**v).count()
+    }
+
+    /// Bilinear elevation at a position, or NaN outside or beside nodata.
+    pub fn elevation_at(&self, position: [f64; 2]) -> f64 {
+        sample(&self.grid, &self.elevation, position)
+    }
+}
+
+/// Bilinear value of a raster at a position, or NaN outside or beside nodata. A rounding error outside still counts as in.
+pub(super) fn sample(grid: &Grid, values: &[f64], position: [f64; 2]) -> f64 {
+    let [u, v] = grid.col_row(position);
+    let (cols, rows) = (grid.shape.cols, grid.shape.rows);
+    let edge = 1e-9;
+    if !(u >= -edge && v >= -edge && u <= (cols - 1) as f64 + edge && v <= (rows - 1) as f64 + edge) {
+        return f64::NAN;
+    }
+    let (u, v) = (u.clamp(0.0, (cols - 1) as f64), v.clamp(0.0, (rows - 1) as f64));
+    let (c, r) = ((u as usize).min(cols.saturating_sub(2)), (v as usize).min(rows.saturating_sub(2)));
+    let (fu, fv) = (u - c as f64, v - r as f64);
+    let at = |dr: usize, dc: usize, w: f64| {
+        if w == 0.0 { 0.0 } else { w * values[grid.shape.index((r + dr).min(rows - 1), (c + dc).min(cols - 1))] }
+    };
+    at(0, 0, (1.0 - fu) * (1.0 - fv)) + at(0, 1, fu * (1.0 - fv)) + at(1, 0, (1.0 - fu) * fv) + at(1, 1, fu * fv)
+}
+
+impl Terrain for HeightField {
+    const KIND: &'static str = "height field";
+
+    fn volume(&self) -> f64 {
+        let area = self.grid.cell_area();
+        parallel::sum(self.elevation.len(), |i| if self.elevation[i].is_nan() { 0.0 } else { self.elevation[i] * area })
+    }
+
+    fn find_non_finite(&self) -> Option<(&'static str, usize)> {
+        let wrong = |i: usize| !self.elevation[i].is_finite() && self.is_valid(i);
+        parallel::find_first(self.elevation.len(), wrong).map(|i| ("elevation", i))
+    }
+
+    fn watched(&self) -> &[f64] {
+        &self.elevation
+    }
+}
+
+impl NodeSurface for HeightField {
+    type Domain = RasterDomain;
+
+    fn domain(&self) -> Arc<RasterDomain> {
+        let domain = RasterDomain::new(&self.grid, &self.valid);
+        Arc::new(match &self.status {
+            Some(status) => domain.with_status(status.to_vec()),
+            None => domain,
+        })
+    }
+
+    fn set_status(&mut self, status: Option<Vec<u8>>) {
+        self.status = status.map(Arc::new);
+    }
+
+    fn elevation(&self) -> &[f64] {
+        &self.elevation
+    }
+
+    fn elevation_mut(&mut self) -> &mut [f64] {
+        &mut self.elevation
+    }
+
+    fn position(&self, node: usize) -> [f64; 2] {
+        self.grid.position(node)
+    }
+
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        let [x, y] = self.grid.origin;
+        let [dx, dy] = self.grid.extent();
+        [[x, y - dy], [x + dx, y]]
+    }
+
+    fn fields(&self) -> &Fields {
+        &self.fields
+    }
+
+    fn fields_mut(&mut self) -> &mut Fields {
+        &mut self.fields
+    }
+
+    fn epsg(&self) -> Option<u16> {
+        self.grid.georeference.epsg
+    }
+}

@@ -1,0 +1,95 @@
+//! Where water leaves a terrain.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::NodeSurface;
+use crate::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED, Side};
+
+/// Where water leaves: at these nodes the elevation is a base level, which is held.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "expected \"border\", \"valleys\" or a list of \"north\", \"east\", \"south\", \"west\"")]
+pub enum Outlets {
+    /// By a word.
+    Named(NamedOutlets),
+    /// These sides of the bounding rectangle, and no others.
+    Sides(Vec<Side>),
+}
+
+/// Outlets by a word.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum NamedOutlets {
+    /// The terrain's whole border, the rim of outer nodata included.
+    Border,
+    /// The low points of the border; between them the border rises and falls with the land, as on a cut-out of real ground.
+    Valleys,
+}
+
+impl Outlets {
+    /// Makes these nodes, and no others, the terrain's base level, for every process that follows.
+    pub fn apply<T: NodeSurface>(&self, terrain: &mut T) {
+        terrain.set_status(None);
+        let status = match self {
+            Self::Named(NamedOutlets::Border) => return,
+            Self::Named(NamedOutlets::Valleys) => valleys(terrain),
+            Self::Sides(sides) => on_sides(sides, terrain),
+        };
+        terrain.set_status(Some(status));
+    }
+}
+
+/// Of the border's base levels, those without a lower neighbour stay; the others become part of the landscape.
+fn valleys<T: NodeSurface>(terrain: &T) -> Vec<u8> {
+    let (domain, z) = (terrain.domain(), terrain.elevation());
+    let is_low = |i: usize| domain.neighbours(i).all(|l| z[l.to] > z[i] || (z[l.to] == z[i] && l.to > i));
+    let status = domain.status();
+    (0..z.len()).map(|i| if status[i] == BASE_LEVEL && !is_low(i) { INTERIOR } else { status[i] }).collect()
+}
+
+fn on_sides<T: NodeSurface>(sides: &[Side], terrain: &T) -> Vec<u8> {
+    let [lo, hi] = terrain.bounds();
+    let near = 1e-6 * (hi[0] - lo[0]).max(hi[1] - lo[1]);
+    let on = |i: usize| {
+        let [x, y] = terrain.position(i);
+        sides.iter().any(|side| match side {
+            Side::North => hi[1] - y <= near,
+            Side::East => hi[0] - x <= near,
+            Side::South => y - lo[1] <= near,
+            Side::West => x - lo[0] <= near,
+        })
+    };
+    let domain = terrain.domain();
+    let status = domain.status();
+    let new = |i: usize| match status[i] {
+        MASKED => MASKED,
+        _ if on(i) => BASE_LEVEL,
+        _ => INTERIOR,
+    };
+    (0..status.len()).map(new).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{Grid, Shape};
+    use crate::terrain::HeightField;
+
+    fn base_count(terrain: &HeightField) -> usize {
+        terrain.domain().status().iter().filter(|&&s| s == BASE_LEVEL).count()
+    }
+
+    #[test]
+    fn outlets_are_set_and_set_back() {
+        let grid = Grid::new(Shape::new(10, 10), [1.0, 1.0]).unwrap();
+        let z = (0..100).map(|i| f64::from((i * 37) % 11)).collect();
+        let mut terrain = HeightField::new(grid, z).unwrap();
+        assert_eq!(base_count(&terrain), 36);
+        Outlets::Named(NamedOutlets::Valleys).apply(&mut terrain);
+        assert!((1..18).contains(&base_count(&terrain)));
+        Outlets::Sides(vec![Side::West]).apply(&mut terrain);
+        assert_eq!(base_count(&terrain), 10);
+        Outlets::Named(NamedOutlets::Border).apply(&mut terrain);
+        assert_eq!(base_count(&terrain), 36);
+    }
+}

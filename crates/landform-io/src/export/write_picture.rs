@@ -1,0 +1,136 @@
+//! The landscape as a picture.
+
+use landform_core::units::Angle;
+use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Drawable;
+use crate::format::encode_png;
+use crate::render::{MapStyle, Picture, Ramp, View, field_map, perspective, shaded_map};
+
+/// Writes a picture (PNG): a map from above, or a perspective view.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct WritePicture {
+    /// Path below the output folder.
+    pub path: String,
+    /// What is drawn.
+    pub view: ViewKind,
+    /// Longer side, pixels.
+    #[schemars(extend("x-min" = 16, "x-max" = 16_384))]
+    pub size: usize,
+    /// Map only: the field that is shown; elevation with rivers and lakes if not given.
+    pub field: Option<String>,
+    /// Map only: colour ramp.
+    pub ramp: Option<Ramp>,
+    /// Map only: logarithmic scale for the field.
+    pub logarithmic: Option<bool>,
+    /// Map only: whether rivers and lakes are drawn.
+    pub water: bool,
+    /// Perspective only: compass direction from which the camera looks.
+    pub from: Angle,
+    /// Perspective only: angle by which the camera looks down.
+    #[schemars(extend("x-min" = 3.0, "x-max" = 89.0))]
+    pub tilt: Angle,
+    /// Perspective only: compass direction of the sun.
+    pub sun: Angle,
+    /// Perspective only: altitude of the sun.
+    #[schemars(extend("x-min" = 1.0, "x-max" = 90.0))]
+    pub sun_altitude: Angle,
+    /// Perspective only: factor on elevations.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 100.0))]
+    pub exaggeration: f64,
+    /// Perspective only: 1 frames the whole block; more comes closer.
+    #[schemars(extend("x-min" = 0.1, "x-max" = 20.0))]
+    pub zoom: f64,
+}
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ViewKind {
+    /// From above, north up.
+    Map,
+    /// A block of land under a low sun.
+    Perspective,
+}
+
+impl Default for WritePicture {
+    fn default() -> Self {
+        let view = View::default();
+        Self {
+            path: "picture.png".into(),
+            view: ViewKind::Perspective,
+            size: 1600,
+            field: None,
+            ramp: None,
+            logarithmic: None,
+            water: true,
+            from: Angle::from_si(view.from),
+            tilt: Angle::from_si(view.tilt),
+            sun: Angle::from_si(view.sun),
+            sun_altitude: Angle::from_si(view.sun_altitude),
+            exaggeration: view.exaggeration,
+            zoom: view.zoom,
+        }
+    }
+}
+
+impl Params for WritePicture {
+    const NAME: &'static str = "write_picture";
+    const SOURCES: &'static [Source] = &[];
+
+    fn check(&self) -> Result<()> {
+        relative_path(&self.path)?;
+        if !self.path.to_lowercase().ends_with(".png") {
+            return Err(Error::parameter("path", format!("\"{}\"", self.path), "a name that ends with .png"));
+        }
+        Ok(())
+    }
+}
+
+impl WritePicture {
+    /// Draws the picture.
+    ///
+    /// # Errors
+    /// A field that is missing; as `HeightField::new`.
+    pub fn draw<T: Drawable>(&self, terrain: &T) -> Result<Picture> {
+        let raster = terrain.raster()?;
+        if self.view == ViewKind::Perspective {
+            return Ok(perspective(
+                &raster,
+                &View {
+                    width: self.size,
+                    height: self.size * 9 / 16,
+                    from: self.from.si(),
+                    tilt: self.tilt.si(),
+                    sun: self.sun.si(),
+                    sun_altitude: self.sun_altitude.si(),
+                    exaggeration: self.exaggeration,
+                    zoom: self.zoom,
+                    ..View::default()
+                },
+            ));
+        }
+        let field = self.field.as_deref().filter(|f| *f != "elevation");
+        let style = MapStyle {
+            size: self.size,
+            ramp: self.ramp.unwrap_or(if field.is_some() { Ramp::Dusk } else { Ramp::Terrain }),
+            logarithmic: self.logarithmic.unwrap_or(field == Some("drainage_area")),
+            water: self.water,
+        };
+        match field {
+            None => shaded_map(&raster, &style),
+            Some(name) => field_map(&raster, &raster.fields.by_name(name, "`write_picture`")?, &style),
+        }
+    }
+}
+
+impl<T: Drawable> Export<T> for WritePicture {
+    fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
+        let picture = self.draw(landscape.terrain)?;
+        out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?)
+    }
+}

@@ -1,0 +1,41 @@
+//! Files of rasters and meshes. Every reader takes hostile bytes: it answers with a terrain or an error, and asks for no
+//! more memory than a file of that length can honestly fill.
+
+mod ascii_grid;
+mod exr;
+mod geotiff;
+mod glb;
+mod mesh;
+mod npy;
+mod obj;
+mod picture;
+mod ply;
+mod raw16;
+mod sidecar;
+mod stl;
+mod table;
+
+pub use geotiff::{Compression, DataType, GeotiffOptions};
+pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh};
+pub use picture::{encode_png, read_grey};
+pub use sidecar::Sidecar;
+pub use table::{MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFile, RasterFormat, load_raster, mesh_format, raster_format};
+
+use landform_core::{Error, Result};
+
+/// The most bytes that a file of a given length may unpack to: deflate's best ratio is 1032.
+fn most_unpacked(file_length: usize) -> u64 {
+    (file_length as u64).saturating_mul(1100).saturating_add(1 << 20)
+}
+
+/// Refuses dimensions that a file of this length cannot fill.
+fn check_dimensions(format: &'static str, rows: u64, cols: u64, bytes_per_sample: u64, file_length: usize) -> Result<()> {
+    if rows == 0 || cols == 0 {
+        return Err(Error::format(format, format!("it is {cols} x {rows} samples")));
+    }
+    let bytes = rows.checked_mul(cols).and_then(|n| n.checked_mul(bytes_per_sample));
+    match bytes {
+        Some(b) if b <= most_unpacked(file_length) && rows * cols < u64::from(u32::MAX) => Ok(()),
+        _ => Err(Error::format(format, format!("it claims {cols} x {rows} samples, more than {file_length} bytes can hold"))),
+    }
+}

@@ -1,0 +1,17 @@
+//! Bytes and pixels: file formats, pictures and reports. No physics.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`format`] | readers and writers of rasters and meshes, one file each |
+//! | [`import`] | the `elevation_file` generator, maps by path |
+//! | [`render`] | pictures: colour ramps, the shaded map, the perspective view |
+//! | [`report`] | the one-file HTML report |
+//! | [`export`] | the stages that write files |
+//! | [`files`] | whole files or none |
+
+pub mod export;
+pub mod files;
+pub mod format;
+pub mod import;
+pub mod render;
+pub mod report;

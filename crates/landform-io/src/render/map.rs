@@ -1,0 +1,136 @@
+//! The map: shaded relief in a colour ramp, with rivers and lakes; and maps of any field.
+
+use landform_core::algo::derivative::hillshade;
+use landform_core::grid::{Grid, Shape};
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::{Result, math, parallel};
+
+use super::colour::{Rgb, blend, hex, mix, scale, sea, to_srgb};
+use super::light::sky_view;
+use super::{Picture, Ramp, waters};
+
+/// How a map is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct MapStyle {
+    /// Longer side, pixels.
+    pub size: usize,
+    /// Colour ramp.
+    pub ramp: Ramp,
+    /// Logarithmic scale, for fields such as drainage area.
+    pub logarithmic: bool,
+    /// Whether rivers and lakes are drawn.
+    pub water: bool,
+}
+
+impl Default for MapStyle {
+    fn default() -> Self {
+        Self { size: 1400, ramp: Ramp::Terrain, logarithmic: false, water: true }
+    }
+}
+
+const RIVER: u32 = 0x3f74a8;
+const LAKE: u32 = 0x5b93bd;
+const NOTHING: u32 = 0xe9e7e2;
+
+/// Shaded relief coloured by elevation.
+///
+/// # Errors
+/// As [`HeightField::new`].
+pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
+    let (grid, z) = (&field.grid, field.elevation());
+    let (lo, hi) = range(z);
+    let has_sea = lo < 0.0 && hi > 0.0;
+    let shade = relief(grid, z, hi - lo);
+    let water = style.water.then(|| waters(field));
+    let land_low = if has_sea { 0.0 } else { lo };
+    let colours = parallel::map(z.len(), |i| {
+        if z[i].is_nan() {
+            return hex(NOTHING);
+        }
+        let under_sea = has_sea && z[i] < 0.0;
+        let mut colour =
+            if under_sea { sea((z[i] / lo).sqrt()) } else { style.ramp.at((z[i] - land_low) / (hi - land_low).max(1e-9)) };
+        colour = scale(colour, if under_sea { 0.5 + 0.5 * shade[i] } else { shade[i] });
+        if let Some(water) = &water
+            && !under_sea
+        {
+            if water.lake[i] > 0.0 {
+                colour = hex(LAKE);
+            } else if water.river[i] > 0.0 {
+                colour = mix(colour, hex(RIVER), water.river[i]);
+            }
+        }
+        colour
+    });
+    Ok(paint(grid.shape, &colours, style.size))
+}
+
+/// Any field in a colour ramp over faint relief.
+///
+/// # Errors
+/// As [`HeightField::new`].
+pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Result<Picture> {
+    let (lo, hi) = range(field.elevation());
+    let shade = relief(&field.grid, field.elevation(), hi - lo);
+    let scaled: Vec<f64> =
+        values.iter().map(|&v| if style.logarithmic { math::log10(v.max(f64::MIN_POSITIVE)) } else { v }).collect();
+    let (a, b) = range(&scaled);
+    let colours = parallel::map(scaled.len(), |i| {
+        if scaled[i].is_nan() {
+            return hex(NOTHING);
+        }
+        scale(style.ramp.at((scaled[i] - a) / (b - a).max(1e-300)), 0.75 + 0.25 * shade[i])
+    });
+    Ok(paint(field.grid.shape, &colours, style.size))
+}
+
+fn range(values: &[f64]) -> (f64, f64) {
+    let range = |(a, b): (f64, f64), &v: &f64| (a.min(v), b.max(v));
+    values.iter().filter(|v| v.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), range)
+}
+
+/// Shading about 1: light from the north-west with a weaker one from the west and the north, dimmed in valleys. Gentle
+/// relief is exaggerated until it shows.
+fn relief(grid: &Grid, z: &[f64], height: f64) -> Vec<f64> {
+    let extent = grid.extent()[0].max(grid.extent()[1]).max(grid.spacing[0]);
+    let exaggeration = (0.12 * extent / height.max(1e-9)).clamp(1.0, 20.0);
+    let tall: Vec<f64> = z.iter().map(|v| v * exaggeration).collect();
+    let light = |azimuth: f64| hillshade(grid, z, azimuth.to_radians(), 42.0_f64.to_radians(), exaggeration);
+    let (north_west, west, north) = (light(315.0), light(270.0), light(0.0));
+    let sky = sky_view(grid, &tall);
+    let level = math::sin(42.0_f64.to_radians());
+    parallel::map(z.len(), |i| {
+        let direct = (0.6 * north_west[i] + 0.2 * west[i] + 0.2 * north[i]) / level;
+        (0.25 + 0.75 * direct) * (0.35 + 0.65 * sky[i])
+    })
+}
+
+/// Node colours as a picture whose longer side has `size` pixels: bilinear when growing, mean when shrinking.
+fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
+    let longer = shape.rows.max(shape.cols) as f64;
+    let zoom = size.max(1) as f64 / longer;
+    let pixels_of = |n: usize| ((n as f64 * zoom).round() as usize).max(1);
+    let target = Shape::new(pixels_of(shape.rows), pixels_of(shape.cols));
+    let taps = (1.0 / zoom).ceil().clamp(1.0, 16.0) as usize;
+    let at = |r: f64, c: f64| {
+        let (r, c) = (r.clamp(0.0, (shape.rows - 1) as f64), c.clamp(0.0, (shape.cols - 1) as f64));
+        let (r0, c0) = (r as usize, c as usize);
+        let (r1, c1) = ((r0 + 1).min(shape.rows - 1), (c0 + 1).min(shape.cols - 1));
+        let (fr, fc) = (r - r0 as f64, c - c0 as f64);
+        let row = |r: usize| blend(colours[shape.index(r, c0)], colours[shape.index(r, c1)], fc);
+        blend(row(r0), row(r1), fr)
+    };
+    let pixels = parallel::map(target.len(), |i| {
+        let pixel = target.cell(i);
+        let mut sum = [0.0; 3];
+        for a in 0..taps {
+            for b in 0..taps {
+                let part = |k: usize, tap: usize| (k as f64 + (tap as f64 + 0.5) / taps as f64) / zoom - 0.5;
+                let colour = at(part(pixel.row, a), part(pixel.col, b));
+                sum = [0, 1, 2].map(|k| sum[k] + colour[k]);
+            }
+        }
+        to_srgb(scale(sum, 1.0 / (taps * taps) as f64))
+    });
+    Picture { shape: target, pixels }
+}

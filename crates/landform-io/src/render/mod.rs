@@ -1,0 +1,24 @@
+//! Pictures, on the CPU: a shaded map and a perspective view. Pixels come back as buffers; `format` makes files of them.
+
+mod colour;
+mod drawing;
+mod light;
+mod map;
+mod perspective;
+mod pyramid;
+
+use landform_core::grid::Shape;
+
+pub use colour::Ramp;
+pub use drawing::{Waters, waters};
+pub use map::{MapStyle, field_map, shaded_map};
+pub use perspective::{View, perspective};
+
+/// A picture: 8-bit red, green, blue, row-major from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Rows and columns.
+    pub shape: Shape,
+    /// Pixels.
+    pub pixels: Vec<[u8; 3]>,
+}

@@ -1,0 +1,440 @@
+//! The perspective view: a block of land under a low sun, ray by ray.
+//!
+//! # Method
+//! Rays march through a pyramid of greatest elevations and are refined on the bilinear patch that they hit. Sun and sky
+//! visibility are computed once per node ([`light`](super::light)) and interpolated, as are normals and ground colours:
+//! grass on gentle low ground, bare soil and rock with slope and height, snow on gentle high ground. Water is flat, tinted
+//! by depth, and mirrors the sky by Schlick's law. Several rays a pixel, jittered by key.
+
+use landform_core::algo::derivative::gradient;
+use landform_core::grid::Grid;
+use landform_core::random::Seed;
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::{math, parallel};
+
+use super::colour::{Rgb, blend, hex, mix, scale, to_srgb};
+use super::light::{sky_view, sun_view};
+use super::pyramid::Pyramid;
+use super::{Picture, waters};
+use landform_core::algo::noise::fbm;
+use landform_core::grid::Shape;
+
+/// Where the camera stands and how the picture is made.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// Columns of the picture.
+    pub width: usize,
+    /// Rows of the picture.
+    pub height: usize,
+    /// Compass direction from which the camera looks, radians clockwise from north.
+    pub from: f64,
+    /// Angle by which the camera looks down, radians.
+    pub tilt: f64,
+    /// Compass direction of the sun, radians clockwise from north.
+    pub sun: f64,
+    /// Altitude of the sun, radians.
+    pub sun_altitude: f64,
+    /// Factor on elevations.
+    pub exaggeration: f64,
+    /// 1 frames the whole block; more comes closer.
+    pub zoom: f64,
+    /// Rays a pixel along each side.
+    pub samples: usize,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            width: 1600,
+            height: 900,
+            from: 200.0_f64.to_radians(),
+            tilt: 28.0_f64.to_radians(),
+            sun: 285.0_f64.to_radians(),
+            sun_altitude: 32.0_f64.to_radians(),
+            exaggeration: 1.0,
+            zoom: 1.0,
+            samples: 2,
+        }
+    }
+}
+
+type Vector = [f64; 3];
+
+const FIELD_OF_VIEW: f64 = 28.0;
+const SUN_LIGHT: Rgb = [2.35, 2.10, 1.75];
+const SKY_LIGHT: Rgb = [0.50, 0.60, 0.78];
+/// Optical depth of air over the length of both sides of the block.
+const HAZE: f64 = 0.45;
+const ZENITH: u32 = 0x8fb2d6;
+const HORIZON: u32 = 0xe6ebee;
+
+/// Draws a raster in perspective. Nodata is left out as if it lay at the foot of the block.
+pub fn perspective(field: &HeightField, view: &View) -> Picture {
+    let scene = Scene::new(field, view);
+    let camera = Camera::new(&scene, view);
+    let shape = Shape::new(view.height.max(1), view.width.max(1));
+    let samples = view.samples.clamp(1, 8);
+    let pixels = parallel::map(shape.len(), |i| {
+        let pixel = shape.cell(i);
+        let mut sum = [0.0; 3];
+        for s in 0..samples * samples {
+            let seed = Seed(i as u64).with(s as u64);
+            let x = pixel.col as f64 + ((s % samples) as f64 + seed.uniform(0)) / samples as f64;
+            let y = pixel.row as f64 + ((s / samples) as f64 + seed.uniform(1)) / samples as f64;
+            let colour = tone(scene.trace(camera.at, camera.ray(x / shape.cols as f64, y / shape.rows as f64)));
+            sum = [0, 1, 2].map(|k| sum[k] + colour[k]);
+        }
+        to_srgb(scale(sum, 1.0 / (samples * samples) as f64))
+    });
+    Picture { shape, pixels }
+}
+
+/// Compresses highlights (Reinhard's curve with a white point), so that snow keeps its shading.
+fn tone(colour: Rgb) -> Rgb {
+    const WHITE: f64 = 2.2;
+    colour.map(|v| v * (1.0 + v / (WHITE * WHITE)) / (1.0 + 0.55 * v))
+}
+
+struct Camera {
+    at: Vector,
+    right: Vector,
+    up: Vector,
+    forward: Vector,
+    aspect: f64,
+    half_height: f64,
+}
+
+impl Camera {
+    fn new(scene: &Scene, view: &View) -> Self {
+        let aspect = view.width as f64 / view.height as f64;
+        let half_height = math::tan(0.5 * FIELD_OF_VIEW.to_radians());
+        let [w, h] = scene.extent;
+        let centre = [0.5 * w, 0.5 * h, scene.low + 0.42 * (scene.high - scene.low)];
+        let (ct, st) = (math::cos(view.tilt), math::sin(view.tilt));
+        let back = [math::sin(view.from) * ct, math::cos(view.from) * ct, st];
+        let forward = scale(back, -1.0);
+        let right = normalize(cross(forward, [0.0, 0.0, 1.0]));
+        let up = cross(right, forward);
+        // The nearest distance from which all corners of the block are inside the frame.
+        let corners = (0..8).map(|k| {
+            let pick = |bit: usize, lo: f64, hi: f64| if k >> bit & 1 == 0 { lo } else { hi };
+            [pick(0, 0.0, w), pick(1, 0.0, h), pick(2, scene.foot, scene.high)]
+        });
+        let distance = corners
+            .map(|p| {
+                let d = sub(p, centre);
+                let sideways = dot(d, right).abs() / (half_height * aspect);
+                let upwards = dot(d, up).abs() / half_height;
+                sideways.max(upwards) - dot(d, forward)
+            })
+            .fold(0.0, f64::max);
+        let at = add(centre, scale(back, distance * 1.03 / view.zoom.max(0.05)));
+        Self { at, right, up, forward, aspect, half_height }
+    }
+
+    fn ray(&self, u: f64, v: f64) -> Vector {
+        let (x, y) = ((2.0 * u - 1.0) * self.half_height * self.aspect, (1.0 - 2.0 * v) * self.half_height);
+        normalize([0, 1, 2].map(|k| self.forward[k] + x * self.right[k] + y * self.up[k]))
+    }
+}
+
+/// Everything about a node that shading wants.
+#[derive(Clone, Copy)]
+struct Skin {
+    normal: Vector,
+    colour: Rgb,
+    sky: f64,
+    sun: f64,
+    /// Depth of water over the ground, m.
+    water: f64,
+}
+
+/// The block in local metres: x east, y north from the south-west corner, elevations exaggerated.
+struct Scene {
+    shape: Shape,
+    spacing: [f64; 2],
+    extent: [f64; 2],
+    /// Surface, water included.
+    surface: Vec<f64>,
+    skin: Vec<Skin>,
+    pyramid: Pyramid,
+    low: f64,
+    high: f64,
+    foot: f64,
+    sun: Vector,
+}
+
+impl Scene {
+    fn new(field: &HeightField, view: &View) -> Self {
+        let grid = &field.grid;
+        let extent = grid.extent().map(|e| e.max(1e-6));
+        let finite = field.elevation().iter().filter(|z| z.is_finite());
+        let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
+        let ground: Vec<f64> = field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
+        let depth = water_depth(field, lo, hi);
+        let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i] * view.exaggeration).collect();
+        let (low, high) = (lo * view.exaggeration, hi * view.exaggeration);
+        let surface_high = surface.iter().copied().fold(high, f64::max);
+        let sky = sky_view(grid, &surface);
+        let sun = sun_view(grid, &surface, view.sun, view.sun_altitude);
+        let paint = Paint::new(field, (lo, hi), view.exaggeration);
+        let skin = parallel::map(ground.len(), |i| {
+            let g = gradient(grid, &ground, i);
+            let normal = if depth[i] > 0.0 { [0.0, 0.0, 1.0] } else { normalize([-g.x, -g.y, 1.0]) };
+            Skin { normal, colour: paint.ground(grid, &ground, i), sky: sky[i], sun: sun[i], water: depth[i] }
+        });
+        let ca = math::cos(view.sun_altitude);
+        let pyramid = Pyramid::new(grid.shape, &surface);
+        let foot = low - (0.06 * extent[0].min(extent[1])).max(0.15 * (high - low));
+        Self {
+            shape: grid.shape,
+            spacing: grid.spacing,
+            extent,
+            surface,
+            skin,
+            pyramid,
+            low,
+            high: surface_high,
+            foot,
+            sun: [math::sin(view.sun) * ca, math::cos(view.sun) * ca, math::sin(view.sun_altitude)],
+        }
+    }
+
+    fn trace(&self, from: Vector, direction: Vector) -> Rgb {
+        let Some((enter, leave)) = self.box_span(from, direction) else {
+            return background(direction);
+        };
+        let start = enter.max(0.0);
+        let p = along(from, direction, start);
+        let (colour, hit) = if enter > 0.0 && p[2] <= self.height_at(p) {
+            (self.wall(p), start)
+        } else {
+            match self.march(from, direction, start, leave) {
+                Some(t) => (self.shade(along(from, direction, t), direction), t),
+                None => return background(direction),
+            }
+        };
+        // Only air over the block hazes: the camera stands far back, as before a model.
+        let haze = 1.0 - math::exp(-HAZE * (hit - start) / (self.extent[0] + self.extent[1]));
+        blend(colour, background([direction[0], direction[1], 0.0]), haze)
+    }
+
+    /// Where a ray is inside the block's box.
+    fn box_span(&self, from: Vector, direction: Vector) -> Option<(f64, f64)> {
+        let (lo, hi) = ([0.0, 0.0, self.foot], [self.extent[0], self.extent[1], self.high + 1e-3]);
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for k in 0..3 {
+            let (a, b) = ((lo[k] - from[k]) / direction[k], (hi[k] - from[k]) / direction[k]);
+            enter = enter.max(a.min(b));
+            leave = leave.min(a.max(b));
+        }
+        (enter < leave && leave > 0.0).then_some((enter, leave))
+    }
+
+    /// Column and row of a position, as real numbers.
+    fn col_row(&self, p: Vector) -> [f64; 2] {
+        let c = (p[0] / self.spacing[0]).clamp(0.0, (self.shape.cols - 1) as f64);
+        let r = ((self.extent[1] - p[1]) / self.spacing[1]).clamp(0.0, (self.shape.rows - 1) as f64);
+        [c, r]
+    }
+
+    fn corners(&self, p: Vector) -> ([usize; 4], [f64; 2]) {
+        let [c, r] = self.col_row(p);
+        let (c0, r0) = (c as usize, r as usize);
+        let (c1, r1) = ((c0 + 1).min(self.shape.cols - 1), (r0 + 1).min(self.shape.rows - 1));
+        let at = |r, c| self.shape.index(r, c);
+        ([at(r0, c0), at(r0, c1), at(r1, c0), at(r1, c1)], [c - c0 as f64, r - r0 as f64])
+    }
+
+    fn height_at(&self, p: Vector) -> f64 {
+        let (k, [u, v]) = self.corners(p);
+        let [a, b, c, d] = k.map(|i| self.surface[i]);
+        math::lerp(math::lerp(a, b, u), math::lerp(c, d, u), v)
+    }
+
+    /// Distance to the surface along a ray, by leaps over blocks that it passes above.
+    fn march(&self, from: Vector, direction: Vector, start: f64, leave: f64) -> Option<f64> {
+        let top = self.pyramid.levels.len() - 1;
+        let (mut t, mut level) = (start, top);
+        let speed = [direction[0] / self.spacing[0], -direction[1] / self.spacing[1]];
+        let nudge = 1e-6 * self.spacing[0];
+        while t < leave {
+            let p = along(from, direction, t + nudge);
+            let [c, r] = self.col_row(p);
+            let (shape, greatest) = &self.pyramid.levels[level];
+            let side = (1usize << level) as f64;
+            let (bc, br) = (((c / side) as usize).min(shape.cols - 1), ((r / side) as usize).min(shape.rows - 1));
+            // Time until the ray leaves this block.
+            let edge = |at: f64, block: usize, speed: f64| {
+                let wall = if speed > 0.0 { (block + 1) as f64 * side } else { block as f64 * side };
+                if speed == 0.0 { f64::INFINITY } else { ((wall - at) / speed).max(0.0) }
+            };
+            let step = edge(c, bc, speed[0]).min(edge(r, br, speed[1])) + nudge;
+            let end = (t + step).min(leave);
+            let lowest = along(from, direction, end)[2].min(along(from, direction, t)[2]);
+            if lowest > f64::from(greatest[shape.index(br, bc)]) {
+                t = end.max(t + nudge);
+                level = (level + 1).min(top);
+            } else if level > 0 {
+                level -= 1;
+            } else {
+                if let Some(hit) = self.refine(from, direction, t, end) {
+                    return Some(hit);
+                }
+                t = end.max(t + nudge);
+            }
+        }
+        None
+    }
+
+    /// The first crossing within a cell, by a few samples and bisection.
+    fn refine(&self, from: Vector, direction: Vector, start: f64, end: f64) -> Option<f64> {
+        const PARTS: usize = 3;
+        let above = |t: f64| {
+            let p = along(from, direction, t);
+            p[2] - self.height_at(p)
+        };
+        let mut a = start;
+        if above(a) <= 0.0 {
+            return Some(a);
+        }
+        for k in 1..=PARTS {
+            let b = start + (end - start) * k as f64 / PARTS as f64;
+            if above(b) <= 0.0 {
+                let mut b = b;
+                for _ in 0..10 {
+                    let middle = 0.5 * (a + b);
+                    if above(middle) > 0.0 { a = middle } else { b = middle }
+                }
+                return Some(b);
+            }
+            a = b;
+        }
+        None
+    }
+
+    fn skin_at(&self, p: Vector) -> Skin {
+        let (k, [u, v]) = self.corners(p);
+        let weights = [(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v];
+        let mut s = Skin { normal: [0.0; 3], colour: [0.0; 3], sky: 0.0, sun: 0.0, water: 0.0 };
+        for (i, w) in k.into_iter().zip(weights) {
+            let o = &self.skin[i];
+            for n in 0..3 {
+                s.normal[n] += w * o.normal[n];
+                s.colour[n] += w * o.colour[n];
+            }
+            s.sky += w * o.sky;
+            s.sun += w * o.sun;
+            s.water += w * o.water;
+        }
+        s.normal = normalize(s.normal);
+        s
+    }
+
+    fn shade(&self, p: Vector, direction: Vector) -> Rgb {
+        let skin = self.skin_at(p);
+        let lit = |colour: Rgb, normal: Vector| {
+            let sun = dot(normal, self.sun).max(0.0) * skin.sun;
+            let sky = skin.sky * (0.5 + 0.5 * normal[2]);
+            // Light thrown back by the ground around, warm and weak.
+            let bounce = 0.10 * (1.0 - 0.5 * skin.sky) + 0.03;
+            [0, 1, 2].map(|k| colour[k] * (SUN_LIGHT[k] * sun + SKY_LIGHT[k] * sky + bounce * SUN_LIGHT[k]))
+        };
+        let ground = lit(skin.colour, skin.normal);
+        if skin.water <= 0.0 {
+            return ground;
+        }
+        let deep = lit(hex(0x1f4e6b), [0.0, 0.0, 1.0]);
+        let murk = 1.0 - math::exp(-skin.water / 6.0);
+        let below = blend(scale(ground, 0.7), deep, murk);
+        let facing = (-direction[2]).clamp(0.0, 1.0);
+        let mirror = 0.03 + 0.97 * math::pow(1.0 - facing, 5.0);
+        let reflected = background([direction[0], direction[1], -direction[2]]);
+        blend(below, reflected, mirror)
+    }
+
+    /// The cut side of the block: layers of rock.
+    fn wall(&self, p: Vector) -> Rgb {
+        let on_x = p[0] <= 1e-6 * self.extent[0] || p[0] >= self.extent[0] * (1.0 - 1e-6);
+        let normal = if on_x { [if p[0] > 0.5 * self.extent[0] { 1.0 } else { -1.0 }, 0.0, 0.0] } else { [0.0, if p[1] > 0.5 * self.extent[1] { 1.0 } else { -1.0 }, 0.0] };
+        let scale_length = 0.02 * (self.extent[0] + self.extent[1]);
+        let along_wall = if on_x { p[1] } else { p[0] };
+        let wave = fbm(Seed(11), along_wall / (6.0 * scale_length), 0.3, 4, 2.0, 0.5);
+        let bed = fbm(Seed(12), 0.5, (p[2] + wave * 0.35 * scale_length) / (0.30 * scale_length), 3, 2.2, 0.6);
+        let colour = mix(hex(0x7c6f63), hex(0xa39584), 0.5 + 0.6 * bed);
+        let below = ((self.height_at(p) - p[2]) / (0.12 * scale_length)).clamp(0.0, 1.0);
+        let colour = mix(hex(0x574a3e), colour, 0.3 + 0.7 * below);
+        let light = dot(normal, self.sun).max(0.0);
+        [0, 1, 2].map(|k| colour[k] * (0.75 * SUN_LIGHT[k] * light + 0.55 * SKY_LIGHT[k] + 0.05))
+    }
+}
+
+/// Depth of lakes and of the sea over each node, m. Sea is what lies below 0 in a land that also rises above it.
+fn water_depth(field: &HeightField, lo: f64, hi: f64) -> Vec<f64> {
+    let water = waters(field);
+    let has_sea = lo < 0.0 && hi > 0.0;
+    let z = field.elevation();
+    (0..z.len()).map(|i| if has_sea && z[i] < 0.0 { -z[i] } else { water.lake[i] }).collect()
+}
+
+/// Colours of the ground.
+struct Paint {
+    river: Vec<f64>,
+    low: f64,
+    relief: f64,
+    exaggeration: f64,
+}
+
+impl Paint {
+    fn new(field: &HeightField, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
+        let low = if lo < 0.0 && hi > 0.0 { 0.0 } else { lo };
+        Self { river: waters(field).river, low: low * exaggeration, relief: ((hi - low) * exaggeration).max(1e-9), exaggeration }
+    }
+
+    fn ground(&self, grid: &Grid, z: &[f64], i: usize) -> Rgb {
+        let slope = gradient(grid, z, i).slope() / self.exaggeration;
+        let [x, y] = grid.position(i);
+        let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
+        let patch = fbm(Seed(3), 24.0 * x / size, 24.0 * y / size, 5, 2.0, 0.55);
+        let height = (z[i] - self.low) / self.relief + 0.07 * patch;
+        let meadow = mix(hex(0x66763f), hex(0x8a8a55), 0.5 + 0.8 * patch);
+        let heath = mix(hex(0x84795a), hex(0x9b8d72), 0.5 + 0.7 * patch);
+        let rock = mix(hex(0x7d736a), hex(0x9d948a), 0.5 + 0.8 * patch);
+        let mut colour = mix(meadow, heath, math::smoothstep(0.18, 0.55, height));
+        colour = mix(colour, rock, math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0)));
+        let snow = math::smoothstep(0.70, 0.84, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));
+        colour = mix(colour, hex(0xf2f5f8), snow * math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
+        let river = self.river[i];
+        if river > 0.0 { mix(colour, hex(0x3d6f8e), 0.9 * river) } else { colour }
+    }
+}
+
+fn background(direction: Vector) -> Rgb {
+    let t = math::smoothstep(-0.35, 0.45, direction[2]);
+    mix(hex(HORIZON), hex(ZENITH), t)
+}
+
+fn along(from: Vector, direction: Vector, t: f64) -> Vector {
+    [0, 1, 2].map(|k| from[k] + t * direction[k])
+}
+
+fn add(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|k| a[k] + b[k])
+}
+
+fn sub(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|k| a[k] - b[k])
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn normalize(v: Vector) -> Vector {
+    let length = dot(v, v).sqrt();
+    if length > 0.0 { scale(v, 1.0 / length) } else { v }
+}

@@ -1,0 +1,34 @@
+//! The frame of the page.
+
+const STYLE: &str = "
+:root{color-scheme:light dark;--ink:#22262a;--paper:#fbfaf8;--faint:#8a8f94;--line:#dcd9d3;--accent:#2f67a1}
+@media (prefers-color-scheme:dark){:root{--ink:#e3e1dc;--paper:#1b1d20;--faint:#8f949a;--line:#3a3d41;--accent:#7fb0de}}
+@media print{:root{--ink:#000;--paper:#fff;--faint:#555;--line:#ccc}figure,svg{break-inside:avoid}}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:1100px;margin:2rem auto;padding:0 1rem}
+h1{font-size:1.7rem;margin:0 0 1rem}h2{font-size:1.15rem;margin:2rem 0 .6rem}
+figure{margin:0 0 1rem}img{max-width:100%;height:auto;border-radius:4px}figcaption{color:var(--faint);font-size:.85rem}
+table{border-collapse:collapse}td{padding:.2rem 1.2rem .2rem 0;border-bottom:1px solid var(--line)}
+td:nth-child(2){text-align:right;font-variant-numeric:tabular-nums}td:nth-child(3){color:var(--faint)}
+code{font-size:.8rem;color:var(--faint);overflow-wrap:anywhere}.plots{display:flex;flex-wrap:wrap;gap:1.5rem}
+svg text{fill:var(--ink);font:12px system-ui,sans-serif}svg .axis{stroke:var(--faint);fill:none}svg .grid{stroke:var(--line)}
+svg .mark{fill:var(--accent)}svg .line{stroke:var(--accent);stroke-width:2;fill:none}";
+
+pub(super) fn page(title: &str, body: &str) -> String {
+    let title = escape(title);
+    format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\
+         <title>{title}</title><style>{STYLE}</style></head><body><h1>{title}</h1>{body}</body></html>\n"
+    )
+}
+
+pub(super) fn table(rows: &[String]) -> String {
+    format!("<table>{}</table>", rows.concat())
+}
+
+pub(super) fn row(name: &str, value: &str, unit: &str) -> String {
+    format!("<tr><td>{}</td><td>{}</td><td>{}</td></tr>", escape(name), escape(value), escape(unit))
+}
+
+pub(super) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,251 @@
+//! Linear creep.
+//!
+//! Soil moves downhill at a rate proportional to slope: crests round off, hollows fill.
+//!
+//! # Model
+//! ∂z/∂t = ∇·(D ∇z), with z held at base levels and no flux across closed sides and around holes.
+//!
+//! # Method
+//! Finite volumes over the graph: on a raster the five-point stencil, on a mesh Voronoi faces; D at a face is the mean of
+//! its ends. Backward Euler, first order in time, second in space, stable and without overshoot for any Δt. Solved for the
+//! change of elevation by conjugate gradients with diagonal scaling, to a relative residual of 1e-12; a few iterations while
+//! D Δt is below a cell's area, growing with the square root of D Δt over it.
+//!
+//! # Limits
+//! On a mesh faces of obtuse border triangles are dropped where their conductance is negative.
+//!
+//! # Sources
+//! Culling (1960); Hestenes & Stiefel (1952).
+//!
+//! # Checked by
+//! `tests`: the parabola of uplift and creep (VP5), decay of a sine, mass, mesh against raster.
+
+use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
+use landform_core::terrain::NodeSurface;
+use landform_core::units::{Diffusivity, DiffusivityDimension};
+use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
+use landform_core::{Error, Result, parallel};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+const TOLERANCE: f64 = 1e-12;
+const MOST_ITERATIONS: usize = 20_000;
+
+/// Soil creep: ground moves downhill in proportion to its slope.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct LinearDiffusion {
+    /// Diffusivity D of the soil; may vary in space.
+    #[schemars(extend("x-min" = 0.0))]
+    pub diffusivity: Varying<DiffusivityDimension>,
+}
+
+impl Default for LinearDiffusion {
+    fn default() -> Self {
+        Self { diffusivity: Diffusivity::of(0.01).into() }
+    }
+}
+
+impl Params for LinearDiffusion {
+    const NAME: &'static str = "linear_diffusion";
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Culling (1960)",
+        title: "Analytical theory of erosion, Journal of Geology 68(3)",
+        doi: "10.1086/626663",
+    }];
+}
+
+/// Diffusivity on the nodes, and the matrix as scratch.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct State {
+    diffusivity: Resolved,
+    #[serde(skip)]
+    system: Option<System>,
+}
+
+/// Links with their conductances, m²/s, in compressed rows.
+#[derive(Clone, Debug)]
+struct System {
+    start: Vec<u32>,
+    links: Vec<(u32, f64)>,
+    area: Vec<f64>,
+    status: Vec<u8>,
+}
+
+impl<T: NodeSurface> Process<T> for LinearDiffusion {
+    const WRITES: &'static [&'static str] = &["elevation"];
+    type State = State;
+
+    fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
+        let diffusivity = self.diffusivity.resolve("diffusivity", terrain, context)?;
+        if let Resolved::PerNode(d) = &diffusivity
+            && let Some(i) = parallel::find_first(d.len(), |i| d[i] < 0.0)
+        {
+            return Err(Error::parameter("diffusivity", format!("negative at node {i}"), "at least 0 everywhere"));
+        }
+        Ok(State { diffusivity, system: None })
+    }
+
+    fn step(&self, terrain: &mut T, state: &mut State, at: &Step) -> Result<Change> {
+        let system = state.system.get_or_insert_with(|| System::new(&*terrain.domain(), &state.diffusivity));
+        let rise = system.implicit_rise(terrain.elevation(), at)?;
+        let z = terrain.elevation_mut();
+        parallel::update(z, |i, v| *v += rise[i]);
+        let volume = |up: f64| parallel::sum(rise.len(), |i| (up * rise[i]).max(0.0) * system.area[i]);
+        let exported = system.outflow(z) * at.dt;
+        Ok(Change { eroded: volume(-1.0), deposited: volume(1.0), exported, ..Change::default() })
+    }
+}
+
+impl System {
+    fn new<D: Domain>(domain: &D, diffusivity: &Resolved) -> Self {
+        let status = domain.status().to_vec();
+        let (mut start, mut links) = (vec![0], Vec::new());
+        for i in 0..domain.len() {
+            if status[i] != MASKED {
+                for link in domain.neighbours(i) {
+                    let conductance = domain.conductance(i, link.slot).max(0.0);
+                    if conductance > 0.0 {
+                        links.push((link.to as u32, conductance * 0.5 * (diffusivity.at(i) + diffusivity.at(link.to))));
+                    }
+                }
+            }
+            start.push(links.len() as u32);
+        }
+        Self { start, links, area: (0..domain.len()).map(|i| domain.area(i)).collect(), status }
+    }
+
+    fn row(&self, i: usize) -> &[(u32, f64)] {
+        &self.links[self.start[i] as usize..self.start[i + 1] as usize]
+    }
+
+    /// Volume flux out of node `i`, m³/s.
+    #[inline]
+    fn flux(&self, z: &[f64], i: usize) -> f64 {
+        self.row(i).iter().map(|&(j, g)| g * (z[i] - z[j as usize])).sum()
+    }
+
+    /// Volume flux from inner nodes to base levels, m³/s.
+    fn outflow(&self, z: &[f64]) -> f64 {
+        parallel::sum(z.len(), |i| {
+            if self.status[i] != INTERIOR {
+                return 0.0;
+            }
+            let base = self.row(i).iter().filter(|l| self.status[l.0 as usize] == BASE_LEVEL);
+            base.map(|&(j, g)| g * (z[i] - z[j as usize])).sum()
+        })
+    }
+
+    /// The rise of every node in one backward-Euler step, by conjugate gradients.
+    fn implicit_rise(&self, z: &[f64], at: &Step) -> Result<Vec<f64>> {
+        let n = z.len();
+        let inner = |i: usize| self.status[i] == INTERIOR;
+        let diagonal = parallel::map(n, |i| {
+            if inner(i) { self.area[i] / at.dt + self.row(i).iter().map(|l| l.1).sum::<f64>() } else { 1.0 }
+        });
+        let mut residual = parallel::map(n, |i| if inner(i) { -self.flux(z, i) } else { 0.0 });
+        let norm = |v: &[f64]| parallel::sum(n, |i| v[i] * v[i] / diagonal[i]);
+        let start = norm(&residual);
+        let mut rise = vec![0.0; n];
+        if start == 0.0 {
+            return Ok(rise);
+        }
+        let mut direction = parallel::map(n, |i| residual[i] / diagonal[i]);
+        let (mut product, mut image) = (start, vec![0.0; n]);
+        for iteration in 0..MOST_ITERATIONS {
+            parallel::fill(&mut image, |i| {
+                if inner(i) { direction[i] * self.area[i] / at.dt + self.flux(&direction, i) } else { 0.0 }
+            });
+            let alpha = product / parallel::sum(n, |i| direction[i] * image[i]);
+            parallel::update(&mut rise, |i, v| *v += alpha * direction[i]);
+            parallel::update(&mut residual, |i, v| *v -= alpha * image[i]);
+            let next = norm(&residual);
+            if next <= TOLERANCE * TOLERANCE * start || at.cancel.is_cancelled() && iteration > 1_000 {
+                return Ok(rise);
+            }
+            let beta = next / product;
+            product = next;
+            parallel::update(&mut direction, |i, v| *v = residual[i] / diagonal[i] + beta * *v);
+        }
+        Err(Error::NotConverged { what: "linear diffusion".into(), iterations: MOST_ITERATIONS, residual: (product / start).sqrt() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use landform_core::grid::{Edge, Edges, Grid, Shape};
+    use landform_core::math;
+    use landform_core::sim::{Simulation, Stop};
+    use landform_core::terrain::{HeightField, Mesh};
+    use landform_core::units::{KYR, YEAR};
+
+    use super::*;
+
+    fn strip(n: usize, dx: f64) -> Grid {
+        let mut grid = Grid::new(Shape::new(3, n), [dx, dx]).unwrap();
+        grid.edges = Edges { north: Edge::Closed, south: Edge::Closed, ..Edges::default() };
+        grid
+    }
+
+    #[test]
+    fn a_sine_decays_at_its_rate() {
+        let (n, dx) = (201, 5.0);
+        let grid = strip(n, dx);
+        let length = (n - 1) as f64 * dx;
+        let wave = |i: usize| 10.0 * math::sin(std::f64::consts::PI * grid.position(i)[0] / length);
+        let field = HeightField::new(grid.clone(), (0..grid.len()).map(wave).collect()).unwrap();
+        let rate = 0.01 / YEAR * math::pow(std::f64::consts::PI / length, 2.0);
+        let duration = 1.0 / rate;
+        let mut sim =
+            Simulation::new(field).process(LinearDiffusion::default()).unwrap().dt(duration / 400.0).until(Stop::time(duration));
+        let outcome = sim.run().unwrap();
+        let peak = sim.terrain().elevation()[n + n / 2];
+        assert!((peak / (10.0 * math::exp(-1.0)) - 1.0).abs() < 2e-3, "{peak}");
+        assert!(outcome.budget.imbalance() < 1e-10 && outcome.budget.sediment_imbalance() < 1e-10);
+    }
+
+    #[test]
+    fn a_single_step_of_any_length_never_overshoots() {
+        let grid = Grid::new(Shape::new(21, 21), [10.0, 10.0]).unwrap();
+        let mut z = vec![0.0; 441];
+        z[220] = 100.0;
+        let field = HeightField::new(grid, z).unwrap();
+        let mut sim = Simulation::new(field).process(LinearDiffusion::default()).unwrap().dt(1e4 * KYR).until(Stop::steps(1));
+        sim.run().unwrap();
+        assert!(sim.terrain().elevation().iter().all(|&z| (-1e-9..=100.0).contains(&z)));
+    }
+
+    #[test]
+    fn uplift_and_creep_make_the_parabola_on_a_mesh() {
+        // VP5: h = U (l² − x²)/(2D) between two open sides.
+        let sites = landform_core::algo::sampling::poisson_disk([1000.0, 300.0], 15.0, landform_core::random::Seed(2)).unwrap();
+        let edges = Edges { north: Edge::Closed, south: Edge::Closed, ..Edges::default() };
+        let mesh = Mesh::delaunay(&sites, edges).unwrap();
+        let uplift = crate::uplift::Uplift { rate: landform_core::units::Rate::of(0.1).into() };
+        let mut sim = Simulation::new(mesh)
+            .process(uplift)
+            .unwrap()
+            .process(LinearDiffusion::default())
+            .unwrap()
+            .dt(1e6 * KYR)
+            .until(Stop::steps(30));
+        sim.run().unwrap();
+        let mesh = sim.terrain();
+        for (p, z) in mesh.positions().iter().zip(mesh.elevation()) {
+            let x = p[0] - 500.0;
+            let expected = 1e-4 * (500.0 * 500.0 - x * x) / (2.0 * 0.01);
+            assert!((z - expected).abs() < 1e-3 * 1250.0, "{x} {z} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_hole_lets_nothing_through() {
+        let grid = Grid::new(Shape::new(9, 9), [10.0, 10.0]).unwrap();
+        let mut z: Vec<f64> = (0..81).map(|i| (i % 9) as f64).collect();
+        z[40] = f64::NAN;
+        let field = HeightField::new(grid, z).unwrap();
+        let mut sim = Simulation::new(field).process(LinearDiffusion::default()).unwrap().dt(KYR).until(Stop::steps(5));
+        let outcome = sim.run().unwrap();
+        assert!(sim.terrain().elevation()[40].is_nan() && outcome.budget.imbalance() < 1e-10);
+    }
+}

@@ -1,0 +1,5 @@
+//! Hillslopes.
+
+mod linear_diffusion;
+
+pub use linear_diffusion::LinearDiffusion;

@@ -1,0 +1,10 @@
+//! What happens to a terrain: one folder per phenomenon.
+//!
+//! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are coupled by a recipe.
+
+pub mod edit;
+pub mod generate;
+pub mod hillslope;
+pub mod mechanism;
+pub mod stream_power;
+pub mod uplift;

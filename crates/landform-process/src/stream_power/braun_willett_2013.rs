@@ -1,0 +1,106 @@
+//! The implicit sweep.
+//!
+//! # Sources
+//! Braun & Willett (2013): eq. 22 for n = 1, eqs. 23–24 (Newton) otherwise.
+
+use landform_core::algo::flow::Flow;
+use landform_core::grid::{Domain, NO_SLOT};
+use landform_core::verb::Resolved;
+use landform_core::{math, parallel};
+
+/// The law for one step.
+pub(super) struct Law {
+    pub(super) area_exponent: f64,
+    pub(super) slope_exponent: f64,
+    /// Tangent of the talus angle.
+    pub(super) greatest_slope: f64,
+    pub(super) dt: f64,
+}
+
+/// Lowers every node towards its receiver, from the outlets upwards; returns the volume taken, m³.
+///
+/// `amount` holds drainage area and is used up: it becomes K Δt Aᵐ/Lⁿ.
+pub(super) fn sweep<D: Domain>(
+    domain: &D,
+    flow: &Flow,
+    law: &Law,
+    erodibility: &Resolved,
+    amount: &mut [f64],
+    z: &mut [f64],
+) -> f64 {
+    let slots = flow.slots();
+    let linear = law.slope_exponent == 1.0;
+    let (m, n) = (law.area_exponent, law.slope_exponent);
+    parallel::update(amount, |i, a| {
+        if slots[i] != NO_SLOT {
+            let length = domain.distance(i, slots[i]);
+            *a = erodibility.at(i) * law.dt * math::pow(*a, m) / if linear { length } else { math::pow(length, n) };
+        }
+    });
+    let receivers = flow.receivers();
+    let clamped = law.greatest_slope.is_finite();
+    let mut volume = 0.0;
+    for &i in flow.order().iter().rev() {
+        let i = i as usize;
+        let r = receivers[i] as usize;
+        let (old, base) = (z[i], z[r]);
+        // Outlets are their own receivers; lake floors lie at or below theirs.
+        if !(old > base) {
+            continue;
+        }
+        let f = amount[i];
+        let mut new = if linear { (old + f * base) / (1.0 + f) } else { base + newton(old - base, f, n) };
+        if clamped {
+            new = new.min(base + law.greatest_slope * domain.distance(i, slots[i]));
+        }
+        z[i] = new;
+        volume += (old - new) * domain.area(i);
+    }
+    volume
+}
+
+/// The root x in [0, h] of x + f xⁿ = h: Newton's iteration, bisecting where it would leave the bracket.
+fn newton(h: f64, f: f64, n: f64) -> f64 {
+    if f == 0.0 {
+        return h;
+    }
+    let (mut lo, mut hi, mut x) = (0.0, h, h);
+    for _ in 0..200 {
+        let power = math::pow(x, n);
+        let error = x + f * power - h;
+        if error > 0.0 {
+            hi = x;
+        } else {
+            lo = x;
+        }
+        let derivative = 1.0 + f * n * power / x;
+        let next = x - error / derivative;
+        let next = if next > lo && next < hi { next } else { 0.5 * (lo + hi) };
+        if (next - x).abs() <= 1e-15 * h || next == x {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn newton_finds_the_root_over_the_legal_range() {
+        for n in [0.5, 0.6, 0.9, 1.0, 1.3, 2.0, 4.0] {
+            for f in [0.0, 1e-9, 1e-3, 1.0, 1e3, 1e9] {
+                for h in [1e-6, 1.0, 3e3] {
+                    let x = newton(h, f, n);
+                    assert!(x >= 0.0 && x <= h);
+                    // The step that Newton would still take from here.
+                    let left = (x + f * math::pow(x, n) - h) / (1.0 + f * n * math::pow(x, n - 1.0));
+                    assert!(f == 0.0 || left.abs() <= 1e-12 * h, "n {n} f {f} h {h} x {x} left {left}");
+                }
+            }
+        }
+        assert!((newton(5.0, 2.0, 1.0) - 5.0 / 3.0).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,115 @@
+//! What a recipe will do, and what it will need.
+
+use std::path::Path;
+
+use landform_core::verb::{Context, Estimate};
+use landform_core::{Error, Result};
+use landform_io::import::FileMaps;
+
+use super::cache::{Cache, input_paths, key};
+use super::entry::{Entry, Work};
+use super::stage::Act;
+use super::{Recipe, Verb};
+
+/// A recipe's plan.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The stages in order.
+    pub stages: Vec<PlannedStage>,
+    /// Bytes at the greatest peak.
+    pub bytes: u64,
+}
+
+/// What one stage will do.
+#[derive(Clone, Debug)]
+pub struct PlannedStage {
+    /// Name, or several joined.
+    pub name: String,
+    /// Label, if it has one.
+    pub label: Option<String>,
+    /// What it does.
+    pub verb: Verb,
+    /// Kind of the terrain after it.
+    pub kind: &'static str,
+    /// Nodes of the terrain after it.
+    pub nodes: u64,
+    /// Bytes at its peak.
+    pub bytes: u64,
+    /// Whether its terrain is in the cache, so that it will not run.
+    pub cached: bool,
+    /// Key of the terrain after it.
+    pub(super) key: String,
+}
+
+/// Measured bytes a node while processes run.
+const RASTER_PROCESS: u64 = 150;
+const MESH_PROCESS: u64 = 420;
+
+impl Recipe {
+    /// Checks what can be checked without running: files are there, sizes, memory; and what is cached.
+    ///
+    /// # Errors
+    /// [`Error::Stage`] with what a stage would fail at.
+    pub fn plan(&self, cache: Option<&Path>, salt: &str) -> Result<Plan> {
+        let cache = cache.map(Cache::new);
+        let maps = FileMaps::new(&self.folder);
+        let mut stages: Vec<PlannedStage> = Vec::new();
+        let mut current = (Estimate::default(), String::new());
+        let mut labelled = std::collections::BTreeMap::new();
+        for (index, entry) in self.entries.iter().enumerate() {
+            if let Some(from) = &entry.from
+                && let Some(known) = labelled.get(from)
+            {
+                current = Clone::clone(known);
+            }
+            let fail = |source| Error::Stage { index: index + 1, name: entry.name.clone(), source: Box::new(source) };
+            self.check_inputs(entry).map_err(fail)?;
+            let context = Context { seed: entry.seed, maps: &maps };
+            current.0 = estimate(entry, current.0, &context).map_err(fail)?;
+            if entry.work.changes_terrain() {
+                current.1 = key(&current.1, entry, &self.folder, salt);
+            }
+            if let Some(label) = &entry.label {
+                labelled.insert(label.clone(), current.clone());
+            }
+            let parts = entry.work.parts();
+            let names: Vec<_> = parts.iter().map(|(s, _)| s.name).collect();
+            stages.push(PlannedStage {
+                name: if parts.len() > 1 { format!("evolve: {}", names.join(" + ")) } else { names.join("") },
+                label: entry.label.clone(),
+                verb: parts[0].0.verb,
+                kind: entry.kind,
+                nodes: current.0.nodes,
+                bytes: current.0.bytes,
+                cached: entry.work.changes_terrain() && cache.as_ref().is_some_and(|c| c.has(&current.1)),
+                key: current.1.clone(),
+            });
+        }
+        let bytes = stages.iter().map(|s| s.bytes).max().unwrap_or(0);
+        Ok(Plan { stages, bytes })
+    }
+
+    fn check_inputs(&self, entry: &Entry) -> Result<()> {
+        for (stage, json) in entry.work.parts() {
+            for path in input_paths(stage.inputs, json) {
+                let path = self.folder.join(path);
+                std::fs::metadata(&path).map_err(|e| Error::io("read", &path, e))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn estimate(entry: &Entry, before: Estimate, context: &Context) -> Result<Estimate> {
+    match &entry.work {
+        Work::Evolve(..) => {
+            let per_node = if entry.kind == "mesh" { MESH_PROCESS } else { RASTER_PROCESS };
+            Ok(Estimate { bytes: before.nodes * per_node, ..before })
+        }
+        Work::Once(stage, json) => match stage.act {
+            Act::Generate { estimate, .. } => estimate(json, context),
+            Act::Edit { estimate, .. } | Act::Convert { estimate, .. } => estimate(json, before),
+            _ => Ok(Estimate { bytes: before.nodes * RASTER_PROCESS, ..before }),
+        },
+    }
+}

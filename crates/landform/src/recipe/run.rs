@@ -1,0 +1,350 @@
+//! Running a recipe.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use landform_core::random::Seed;
+use landform_core::sim::{Every, Simulation};
+use landform_core::terrain::Terrain;
+use landform_core::verb::{CancelToken, Context, Event, Outcome, Output, Stopped};
+use landform_core::{Error, Result};
+use landform_io::files::write_whole;
+use landform_io::import::FileMaps;
+use serde_json::Value as Json;
+
+use super::any_terrain::Held;
+use super::cache::Cache;
+use super::entry::{Entry, Work};
+use super::stage::{Act, AnyLandscape};
+use super::{AnyTerrain, Clock, Plan, Recipe, Stage};
+
+/// What a run tells while it goes on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Signal {
+    /// A stage begins.
+    Stage {
+        /// From 1.
+        index: usize,
+        /// Number of stages.
+        of: usize,
+        /// Name.
+        name: String,
+        /// Whether its terrain was in the cache, so that it is not run.
+        cached: bool,
+    },
+    /// A step of a process was taken.
+    Step {
+        /// Steps taken.
+        steps: u64,
+        /// Time, s.
+        time: f64,
+        /// Part done, 0 to 1, if it can be told.
+        part: Option<f64>,
+        /// How far from steady, if that is watched.
+        residual: Option<f64>,
+    },
+    /// Processes came to an end.
+    Outcome(Outcome),
+    /// Something that a person should know.
+    Note(String),
+}
+
+/// Takes signals.
+pub type Progress<'a> = dyn Fn(Signal) + Sync + 'a;
+
+/// How to run.
+pub struct Options<'a> {
+    /// Where terrains are kept between runs; nowhere if none.
+    pub cache: Option<PathBuf>,
+    /// Where the state of an interrupted stage is kept; nowhere if none.
+    pub checkpoint: Option<PathBuf>,
+    /// Goes on from the checkpoint if it fits.
+    pub resume: bool,
+    /// Seconds between checkpoints.
+    pub checkpoint_every: f64,
+    /// Part of the cache's keys: what tells one build of the program from another.
+    pub salt: String,
+    /// Asks the run to stop.
+    pub cancel: CancelToken,
+    /// Is told how it goes.
+    pub progress: &'a Progress<'a>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self {
+            cache: None,
+            checkpoint: None,
+            resume: false,
+            checkpoint_every: 60.0,
+            salt: String::new(),
+            cancel: CancelToken::default(),
+            progress: &|_| {},
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub enum Ran {
+    /// To the end; the terrain and its history.
+    ToTheEnd(Arc<AnyTerrain>, Vec<Event>),
+    /// Somebody asked it to stop; the checkpoint, if one was kept.
+    Interrupted(Option<PathBuf>),
+}
+
+/// A terrain that may still be in the cache only.
+#[derive(Clone, Default)]
+struct Slot {
+    key: String,
+    terrain: Option<Arc<AnyTerrain>>,
+    history: Vec<Event>,
+}
+
+impl Recipe {
+    /// Runs all stages; exports go to `out`.
+    ///
+    /// # Errors
+    /// [`Error::Stage`] with what went wrong in it.
+    pub fn run(&self, out: &mut dyn Output, options: &Options) -> Result<Ran> {
+        let cache = options.cache.as_deref().map(Cache::new);
+        let runner = Runner { recipe: self, options, cache, maps: FileMaps::new(&self.folder), damaged: Default::default() };
+        loop {
+            let plan = self.plan(options.cache.as_deref(), &options.salt)?;
+            let ran = runner.run(&plan, out);
+            // A terrain that was taken for cached and cannot be read: forget it and begin again.
+            match runner.damaged.take() {
+                Some((key, why)) => {
+                    (options.progress)(Signal::Note(format!("cache: {why}; the stage is run again")));
+                    runner.cache.iter().for_each(|c| c.forget(&key));
+                }
+                None => return ran,
+            }
+        }
+    }
+}
+
+struct Runner<'a> {
+    recipe: &'a Recipe,
+    options: &'a Options<'a>,
+    cache: Option<Cache>,
+    maps: FileMaps,
+    /// Key of a cached terrain that could not be read, and why.
+    damaged: std::cell::RefCell<Option<(String, String)>>,
+}
+
+impl Runner<'_> {
+    fn run(&self, plan: &Plan, out: &mut dyn Output) -> Result<Ran> {
+        let mut current = Slot::default();
+        let mut labelled: BTreeMap<&str, Slot> = BTreeMap::new();
+        let of = self.recipe.entries.len();
+        for (k, (entry, planned)) in self.recipe.entries.iter().zip(&plan.stages).enumerate() {
+            let fail = |source| match source {
+                done @ Error::Stage { .. } => done,
+                source => Error::Stage { index: k + 1, name: entry.label.clone().unwrap_or(entry.name.clone()), source: Box::new(source) },
+            };
+            if let Some(slot) = entry.from.as_deref().and_then(|f| labelled.get(f)) {
+                current = slot.clone();
+            }
+            let known = if planned.cached { self.known(&planned.key, &current) } else { None };
+            (self.options.progress)(Signal::Stage { index: k + 1, of, name: planned.name.clone(), cached: known.is_some() });
+            if self.options.cancel.is_cancelled() {
+                return Ok(Ran::Interrupted(None));
+            }
+            if let Some(slot) = known {
+                current = slot;
+            } else if !entry.work.changes_terrain() {
+                let terrain = self.terrain(&mut current).map_err(fail)?;
+                self.tell(entry, &terrain, &current.history, out).map_err(fail)?;
+            } else {
+                match self.change(entry, &mut current, &planned.key).map_err(fail)? {
+                    Some(slot) => current = slot,
+                    None => return Ok(Ran::Interrupted(self.options.checkpoint.clone())),
+                }
+            }
+            if let Some(label) = &entry.label {
+                labelled.insert(label, current.clone());
+            }
+        }
+        let terrain = self.terrain(&mut current)?;
+        Ok(Ran::ToTheEnd(terrain, current.history))
+    }
+
+    /// The slot of a cached key; its terrain is read when it is wanted.
+    fn known(&self, key: &str, before: &Slot) -> Option<Slot> {
+        let event = self.cache.as_ref()?.event(key).ok()?;
+        let mut history = before.history.clone();
+        history.push(event);
+        Some(Slot { key: key.into(), terrain: None, history })
+    }
+
+    fn terrain(&self, slot: &mut Slot) -> Result<Arc<AnyTerrain>> {
+        if let Some(terrain) = &slot.terrain {
+            return Ok(terrain.clone());
+        }
+        let Some(cache) = self.cache.as_ref().filter(|_| !slot.key.is_empty()) else {
+            return Err(Error::Recipe { at: None, what: "there is no terrain yet".into(), hint: None });
+        };
+        let terrain = cache.terrain(&slot.key).map(Arc::new).inspect_err(|e| {
+            self.damaged.replace(Some((slot.key.clone(), e.to_string())));
+        })?;
+        slot.terrain = Some(terrain.clone());
+        Ok(terrain)
+    }
+
+    /// Runs a stage that changes the terrain; none if it was interrupted.
+    fn change(&self, entry: &Entry, current: &mut Slot, key: &str) -> Result<Option<Slot>> {
+        let context = Context { seed: entry.seed, maps: &self.maps };
+        let mut outcome = None;
+        let terrain = match &entry.work {
+            Work::Evolve(clock, parts) => {
+                let before = self.terrain(current)?;
+                let Some((terrain, ended)) = self.evolve(&before, clock, parts, entry.seed, key)? else { return Ok(None) };
+                (self.options.progress)(Signal::Outcome(ended));
+                outcome = Some(ended);
+                terrain
+            }
+            Work::Once(stage, json) => match stage.act {
+                Act::Generate { make, .. } => make(json, &context)?,
+                Act::Convert { convert, .. } => convert(json, &*self.terrain(current)?)?,
+                Act::Edit { edit, .. } => {
+                    let mut terrain = (*self.terrain(current)?).clone();
+                    edit(json, &mut terrain, &context)?;
+                    terrain
+                }
+                _ => (*self.terrain(current)?).clone(),
+            },
+        };
+        let event = event(entry, outcome);
+        if let Some(cache) = &self.cache
+            && let Err(e) = cache.store(key, &terrain, &event)
+        {
+            (self.options.progress)(Signal::Note(format!("cache: {e}; the run goes on without it")));
+        }
+        let mut history = std::mem::take(&mut current.history);
+        if matches!(&entry.work, Work::Once(s, _) if s.on.is_none()) {
+            history.clear();
+        }
+        history.push(event);
+        Ok(Some(Slot { key: key.into(), terrain: Some(Arc::new(terrain)), history }))
+    }
+
+    fn tell(&self, entry: &Entry, terrain: &AnyTerrain, history: &[Event], out: &mut dyn Output) -> Result<()> {
+        let Work::Once(stage, json) = &entry.work else { return Ok(()) };
+        match stage.act {
+            Act::Export(export) => {
+                let landscape = AnyLandscape { terrain, history, seed: self.recipe.seed, title: &self.recipe.title };
+                export(json, &landscape, out)
+            }
+            Act::Measure(measure) => {
+                let (path, value) = measure(json, terrain)?;
+                let text = serde_json::to_string_pretty(&value).map_err(|e| Error::format("JSON", e))?;
+                out.put(&path, text.as_bytes())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The one match over representations.
+    fn evolve(
+        &self,
+        terrain: &AnyTerrain,
+        clock: &Clock,
+        parts: &[(&'static Stage, Json)],
+        seed: Seed,
+        key: &str,
+    ) -> Result<Option<(AnyTerrain, Outcome)>> {
+        match terrain {
+            AnyTerrain::HeightField(t) => self.evolve_as(t.clone(), clock, parts, seed, key),
+            AnyTerrain::Mesh(t) => self.evolve_as(t.clone(), clock, parts, seed, key),
+        }
+    }
+
+    fn evolve_as<T: Held>(
+        &self,
+        terrain: T,
+        clock: &Clock,
+        parts: &[(&'static Stage, Json)],
+        seed: Seed,
+        key: &str,
+    ) -> Result<Option<(AnyTerrain, Outcome)>> {
+        let mut processes = Simulation::<'static, T>::new(terrain);
+        for (stage, json) in parts {
+            if let Act::Process(add) = stage.act {
+                add(json, &mut processes)?;
+            }
+        }
+        let stop = clock.stop();
+        let mut first_residual = None;
+        let mut simulation = processes
+            .shorten()
+            .dt(clock.dt.si())
+            .until(stop)
+            .seed(seed)
+            .maps(&self.maps)
+            .cancel(self.options.cancel.clone())
+            .observe(Every::Steps(1), |view| {
+                let part = match (stop.time, stop.steady, view.residual) {
+                    (Some(end), ..) => Some(view.time / end),
+                    (None, Some(tolerance), Some(residual)) => {
+                        let first = *first_residual.get_or_insert(residual);
+                        let gone = |r: f64| landform_core::math::log(r.max(tolerance) / tolerance);
+                        Some(1.0 - gone(residual) / gone(first).max(1e-9))
+                    }
+                    _ => None,
+                };
+                let part = match stop.steps {
+                    Some(most) => Some(part.unwrap_or(0.0).max(view.steps as f64 / most as f64)),
+                    None => part,
+                };
+                (self.options.progress)(Signal::Step { steps: view.steps, time: view.time, part, residual: view.residual });
+                Ok(ControlFlow::Continue(()))
+            });
+        if let Some(path) = &self.options.checkpoint {
+            simulation = simulation.save_every(self.options.checkpoint_every, |s| save(s, key, path));
+            if self.options.resume && path.is_file() {
+                simulation = self.resume(simulation, key, path)?;
+            }
+        }
+        let outcome = simulation.run()?;
+        if outcome.stopped == Stopped::Cancelled {
+            if let Some(path) = &self.options.checkpoint {
+                save(&simulation, key, path)?;
+            }
+            return Ok(None);
+        }
+        if let Some(path) = &self.options.checkpoint {
+            std::fs::remove_file(path).ok();
+        }
+        Ok(Some((simulation.into_terrain().wrap(), outcome)))
+    }
+
+    fn resume<'s, T: Terrain>(&self, simulation: Simulation<'s, T>, key: &str, path: &Path) -> Result<Simulation<'s, T>> {
+        let bytes = landform_io::files::read_whole(path)?;
+        if landform_core::sim::is_for("checkpoint", key, &bytes) {
+            return simulation.resume(key, &bytes);
+        }
+        (self.options.progress)(Signal::Note("the checkpoint is of another stage or recipe; this stage starts afresh".into()));
+        Ok(simulation)
+    }
+}
+
+fn save<T: Terrain>(simulation: &Simulation<'_, T>, key: &str, path: &Path) -> Result<()> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|e| Error::io("create folder", folder, e))?;
+    }
+    write_whole(path, &simulation.checkpoint(key)?)
+}
+
+fn event(entry: &Entry, outcome: Option<Outcome>) -> Event {
+    let parts = entry.work.parts();
+    let sources = parts.iter().flat_map(|(s, _)| s.sources).map(|s| [s.authors, s.title, s.doi].map(String::from));
+    Event {
+        stage: entry.label.as_ref().map_or(entry.name.clone(), |l| format!("{l} ({})", entry.name)),
+        parameters: entry.work.normalized().to_string(),
+        sources: sources.collect(),
+        outcome,
+    }
+}
