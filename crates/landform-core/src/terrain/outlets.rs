@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::NodeSurface;
+use crate::algo::flow::Flow;
 use crate::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED, Side};
 
 /// Where water leaves: at these nodes the elevation is a base level, which is held.
@@ -39,12 +40,25 @@ impl Outlets {
     }
 }
 
-/// Of the border's base levels, those without a lower neighbour stay; the others become part of the landscape.
+/// Of the border's base levels stay the low points of the border at which water from inside leaves when all of it is open;
+/// the lowest of all, if there is none. A valley that enters from outside is no outlet.
 fn valleys<T: NodeSurface>(terrain: &T) -> Vec<u8> {
     let (domain, z) = (terrain.domain(), terrain.elevation());
-    let is_low = |i: usize| domain.neighbours(i).all(|l| z[l.to] > z[i] || (z[l.to] == z[i] && l.to > i));
     let status = domain.status();
-    (0..z.len()).map(|i| if status[i] == BASE_LEVEL && !is_low(i) { INTERIOR } else { status[i] }).collect()
+    let (mut flow, mut donors) = (Flow::new(), vec![1.0; z.len()]);
+    flow.route(&*domain, z, &mut donors);
+    let is_border = |i: usize| status[i] == BASE_LEVEL;
+    let below = |i: usize, j: usize| (z[i], i) < (z[j], j);
+    let is_low = |i: usize| domain.neighbours(i).all(|l| !is_border(l.to) || below(i, l.to));
+    let mut outlets: Vec<usize> = (0..z.len()).filter(|&i| is_border(i) && donors[i] > 1.0 && is_low(i)).collect();
+    if outlets.is_empty() {
+        outlets.extend((0..z.len()).filter(|&i| is_border(i)).reduce(|a, b| if below(b, a) { b } else { a }));
+    }
+    let mut new: Vec<u8> = status.iter().map(|&s| if s == BASE_LEVEL { INTERIOR } else { s }).collect();
+    for i in outlets {
+        new[i] = BASE_LEVEL;
+    }
+    new
 }
 
 fn on_sides<T: NodeSurface>(sides: &[Side], terrain: &T) -> Vec<u8> {

@@ -48,7 +48,7 @@ impl Default for View {
             width: 1600,
             height: 900,
             from: 200.0_f64.to_radians(),
-            tilt: 28.0_f64.to_radians(),
+            tilt: 26.0_f64.to_radians(),
             sun: 285.0_f64.to_radians(),
             sun_altitude: 32.0_f64.to_radians(),
             exaggeration: 1.0,
@@ -61,10 +61,10 @@ impl Default for View {
 type Vector = [f64; 3];
 
 const FIELD_OF_VIEW: f64 = 28.0;
-const SUN_LIGHT: Rgb = [2.35, 2.10, 1.75];
-const SKY_LIGHT: Rgb = [0.50, 0.60, 0.78];
+const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
+const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];
 /// Optical depth of air over the length of both sides of the block.
-const HAZE: f64 = 0.45;
+const HAZE: f64 = 0.35;
 const ZENITH: u32 = 0x8fb2d6;
 const HORIZON: u32 = 0xe6ebee;
 
@@ -109,26 +109,33 @@ impl Camera {
         let aspect = view.width as f64 / view.height as f64;
         let half_height = math::tan(0.5 * FIELD_OF_VIEW.to_radians());
         let [w, h] = scene.extent;
-        let centre = [0.5 * w, 0.5 * h, scene.low + 0.42 * (scene.high - scene.low)];
+        let centre = [0.5 * w, 0.5 * h, scene.low];
         let (ct, st) = (math::cos(view.tilt), math::sin(view.tilt));
         let back = [math::sin(view.from) * ct, math::cos(view.from) * ct, st];
         let forward = scale(back, -1.0);
         let right = normalize(cross(forward, [0.0, 0.0, 1.0]));
         let up = cross(right, forward);
-        // The nearest distance from which all corners of the block are inside the frame.
-        let corners = (0..8).map(|k| {
-            let pick = |bit: usize, lo: f64, hi: f64| if k >> bit & 1 == 0 { lo } else { hi };
-            [pick(0, 0.0, w), pick(1, 0.0, h), pick(2, scene.foot, scene.high)]
-        });
-        let distance = corners
-            .map(|p| {
-                let d = sub(p, centre);
-                let sideways = dot(d, right).abs() / (half_height * aspect);
-                let upwards = dot(d, up).abs() / half_height;
-                sideways.max(upwards) - dot(d, forward)
+        let corners: Vec<Vector> = (0..8)
+            .map(|k| {
+                let pick = |bit: usize, lo: f64, hi: f64| if k >> bit & 1 == 0 { lo } else { hi };
+                // The heights seldom stand at the corners; half of them is a fair allowance.
+                [pick(0, 0.0, w), pick(1, 0.0, h), pick(2, scene.foot, 0.5 * (scene.low + scene.high))]
             })
-            .fold(0.0, f64::max);
-        let at = add(centre, scale(back, distance * 1.03 / view.zoom.max(0.05)));
+            .collect();
+        // Step by step: put the middle of what is seen in the middle of the frame, then stand as near as it fits.
+        let (mut aim, mut distance) = (centre, 3.0 * (w + h));
+        for _ in 0..12 {
+            let seen = |axis: Vector| {
+                let project = |p: &Vector| dot(sub(*p, aim), axis) / (distance + dot(sub(*p, aim), forward));
+                corners.iter().map(project).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)))
+            };
+            let ((l, r), (b, t)) = (seen(right), seen(up));
+            let fill = ((r - l) / (2.0 * half_height * aspect)).max((t - b) / (2.0 * half_height));
+            let shift = [0, 1, 2].map(|k| 0.5 * distance * ((l + r) * right[k] + (b + t) * up[k]));
+            aim = add(aim, shift);
+            distance *= math::pow(fill / 0.94, 0.8);
+        }
+        let at = add(aim, scale(back, distance / view.zoom.max(0.05)));
         Self { at, right, up, forward, aspect, half_height }
     }
 
@@ -361,11 +368,11 @@ impl Scene {
         let along_wall = if on_x { p[1] } else { p[0] };
         let wave = fbm(Seed(11), along_wall / (6.0 * scale_length), 0.3, 4, 2.0, 0.5);
         let bed = fbm(Seed(12), 0.5, (p[2] + wave * 0.35 * scale_length) / (0.30 * scale_length), 3, 2.2, 0.6);
-        let colour = mix(hex(0x7c6f63), hex(0xa39584), 0.5 + 0.6 * bed);
+        let colour = mix(hex(0x8b7c6c), hex(0xb9aa95), 0.5 + 0.8 * bed);
         let below = ((self.height_at(p) - p[2]) / (0.12 * scale_length)).clamp(0.0, 1.0);
         let colour = mix(hex(0x574a3e), colour, 0.3 + 0.7 * below);
-        let light = dot(normal, self.sun).max(0.0);
-        [0, 1, 2].map(|k| colour[k] * (0.75 * SUN_LIGHT[k] * light + 0.55 * SKY_LIGHT[k] + 0.05))
+        let light = 0.25 + 0.75 * dot(normal, self.sun).max(0.0);
+        [0, 1, 2].map(|k| colour[k] * (0.6 * SUN_LIGHT[k] * light + 0.6 * SKY_LIGHT[k]))
     }
 }
 
@@ -397,15 +404,15 @@ impl Paint {
         let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
         let patch = fbm(Seed(3), 24.0 * x / size, 24.0 * y / size, 5, 2.0, 0.55);
         let height = (z[i] - self.low) / self.relief + 0.07 * patch;
-        let meadow = mix(hex(0x66763f), hex(0x8a8a55), 0.5 + 0.8 * patch);
-        let heath = mix(hex(0x84795a), hex(0x9b8d72), 0.5 + 0.7 * patch);
+        let meadow = mix(hex(0x59693c), hex(0x7d7d50), 0.5 + 0.8 * patch);
+        let heath = mix(hex(0x7a7056), hex(0x92856c), 0.5 + 0.7 * patch);
         let rock = mix(hex(0x7d736a), hex(0x9d948a), 0.5 + 0.8 * patch);
         let mut colour = mix(meadow, heath, math::smoothstep(0.18, 0.55, height));
         colour = mix(colour, rock, math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0)));
         let snow = math::smoothstep(0.70, 0.84, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));
-        colour = mix(colour, hex(0xf2f5f8), snow * math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
+        colour = mix(colour, hex(0xdfe4ea), snow * math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
         let river = self.river[i];
-        if river > 0.0 { mix(colour, hex(0x3d6f8e), 0.9 * river) } else { colour }
+        if river > 0.45 { mix(colour, hex(0x35617f), math::smoothstep(0.45, 0.8, river)) } else { colour }
     }
 }
 
