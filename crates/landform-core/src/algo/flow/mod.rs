@@ -2,21 +2,22 @@
 //!
 //! # Method
 //! 1. *Receivers*: steepest descent (drop over distance).
-//! 2. *Basins*: follow receivers to an outlet or a pit ([`labels`]).
-//! 3. *Passes*: links between basins, thinned to those that can be the lowest between their two basins ([`passes`]).
-//! 4. *Tree*: minimum spanning tree of the basins by height of pass, all outlets as one root; Borůvka ([`tree`]).
-//! 5. *Carving*: in every lake the path from the pass down to the pit is turned round, so that it leads out ([`tree`]).
-//! 6. *Order and accumulation*: donors before receivers, by counting donors ([`order`]).
+//! 2. *Open pits*: about half of the pits on rough ground see their way out at once ([`pits`]).
+//! 3. *Basins*: follow receivers to an outlet or a pit ([`labels`]).
+//! 4. *Passes*: links between basins, thinned to those that can be the lowest between their two basins ([`passes`]).
+//! 5. *Tree*: minimum spanning tree of the basins by height of pass, all outlets as one root; Borůvka ([`tree`]).
+//! 6. *Carving*: in every lake the path from the pass down to the pit is turned round, so that it leads out ([`tree`]).
+//! 7. *Order and accumulation*: donors before receivers, by counting donors ([`order`]).
 //!
 //! After routing, every node reaches an outlet, and the greatest elevation along its path is the level to which water must
 //! rise there: the flooding level of Priority-Flood.
 //!
-//! O(n) time and, beyond the elevations, about 19 bytes a node and 32 a pass. Ties are broken by slots and node numbers,
+//! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Ties are broken by slots and node numbers,
 //! which follow from geometry, and pieces of fixed size are joined in order: the same bits on any number of threads.
 //!
 //! # Sources
 //! Braun & Willett (2013) for receivers and order; Cordonnier, Bovy & Braun (2019), algorithms 1-5, for basins, passes and
-//! carving. We differ in the thinning of passes (below [`passes`]) and in ordering by donor counts. Bell's thesis finds lake
+//! carving. We differ in what is settled before basins are compared ([`pits`], [`passes`]) and in ordering by donor counts. Bell's thesis finds lake
 //! exits by list scans in O(n²) and lets a lake flow two ways; neither is repeated here.
 //!
 //! # Checked by
@@ -25,6 +26,7 @@
 mod labels;
 mod order;
 mod passes;
+mod pits;
 mod tree;
 
 use crate::grid::{Domain, MASKED, NO_SLOT};
@@ -38,7 +40,6 @@ pub struct Flow {
     /// Labels of basins while routing, order of nodes afterwards.
     order: Vec<u32>,
     donors: Vec<u8>,
-    passes: Vec<passes::Pass>,
     pits: Vec<u32>,
     lakes: usize,
 }
@@ -67,14 +68,15 @@ impl Flow {
         self.slot.resize(n, NO_SLOT);
         self.order.resize(n, 0);
         domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot);
+        self.lakes = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
         labels::label_basins(domain.status(), &self.receiver, &mut self.order, &mut self.pits);
-        self.lakes = self.pits.len() - 1;
-        if self.lakes == 0 {
+        let basins = self.pits.len();
+        if basins == 1 {
             return;
         }
-        passes::find_passes(domain, elevation, &self.slot, &self.order, &mut self.passes);
-        let links = tree::spanning_tree(&mut self.passes, self.pits.len());
-        tree::carve(domain, &links, self.pits.len(), &mut self.receiver, &mut self.slot);
+        let passes = passes::find_passes(domain, elevation, &self.slot, &self.order);
+        let tree = tree::spanning_tree(passes, basins);
+        tree::carve(domain, tree, &self.order, basins, &mut self.receiver, &mut self.slot);
     }
 
     /// The node that receives each node's water; itself at outlets and masked nodes.

@@ -4,49 +4,52 @@ use super::labels::OUTSIDE;
 use super::passes::Pass;
 use crate::grid::{Domain, NO_SLOT};
 
-/// The passes of the minimum spanning tree, by Borůvka's rounds with filtering. `passes` is used up.
+const NONE: (f64, u32) = (f64::INFINITY, u32::MAX);
+
+/// The passes of the minimum spanning tree, by Borůvka's rounds with filtering; basins are numbered 0..`basins`.
 ///
 /// Equal heights are told apart by position in the list. **Cost** O(passes · log basins), in practice a few rounds over a
 /// list that halves each time.
-pub(super) fn spanning_tree(passes: &mut Vec<Pass>, basins: usize) -> Vec<Pass> {
+pub(super) fn spanning_tree(pieces: Vec<Vec<Pass>>, basins: usize) -> Vec<Pass> {
+    let mut passes = Vec::with_capacity(pieces.iter().map(Vec::len).sum());
+    for piece in pieces {
+        passes.extend(piece);
+    }
     let mut parent: Vec<u32> = (0..basins as u32).collect();
     let mut tree: Vec<Pass> = Vec::with_capacity(basins);
-    let mut ends: Vec<[u32; 2]> = passes.iter().map(|p| p.basins).collect();
-    const NONE: (f64, u32) = (f64::INFINITY, u32::MAX);
     let mut best = vec![NONE; basins];
     loop {
         best.fill(NONE);
         let mut kept = 0;
-        for k in 0..ends.len() {
-            let [a, b] = ends[k].map(|x| find(&mut parent, x));
-            if a == b {
+        for k in 0..passes.len() {
+            let mut pass = passes[k];
+            pass.basins = pass.basins.map(|x| find(&mut parent, x));
+            if pass.basins[0] == pass.basins[1] {
                 continue;
             }
-            let pass = passes[k];
-            passes[kept] = pass;
-            ends[kept] = [a, b];
-            for root in [a, b] {
+            for root in pass.basins {
                 if pass.height < best[root as usize].0 {
                     best[root as usize] = (pass.height, kept as u32);
                 }
             }
+            passes[kept] = pass;
             kept += 1;
         }
         if kept == 0 {
             return tree;
         }
-        ends.truncate(kept);
         passes.truncate(kept);
         for root in 0..basins {
             let (_, k) = best[root];
             if k == u32::MAX {
                 continue;
             }
-            let [a, b] = ends[k as usize].map(|x| find(&mut parent, x));
+            let pass = passes[k as usize];
+            let [a, b] = pass.basins.map(|x| find(&mut parent, x));
             if a != b {
                 // The lower number stays the root, so that the outside keeps number 0.
                 parent[a.max(b) as usize] = a.min(b);
-                tree.push(passes[k as usize]);
+                tree.push(pass);
             }
         }
     }
@@ -63,8 +66,19 @@ fn find(parent: &mut [u32], mut x: u32) -> u32 {
 /// Walks the tree from the outside and turns the path from each pass down to the pit behind it, so that it leads out.
 ///
 /// Basins that no pass joins to the outside (a closed domain) are left draining to the pit of the first among them.
-pub(super) fn carve<D: Domain>(domain: &D, tree: &[Pass], basins: usize, receiver: &mut [u32], slot: &mut [u8]) {
-    let (start, passes) = by_basin(tree, basins);
+pub(super) fn carve<D: Domain>(
+    domain: &D,
+    mut tree: Vec<Pass>,
+    label: &[u32],
+    basins: usize,
+    receiver: &mut [u32],
+    slot: &mut [u8],
+) {
+    for pass in &mut tree {
+        let node = pass.node as usize;
+        pass.basins = [label[node], label[domain.neighbour(node, pass.slot)]];
+    }
+    let (start, passes) = by_basin(&tree, basins);
     let mut seen = vec![false; basins];
     let mut stack = Vec::new();
     for root in OUTSIDE..basins as u32 {

@@ -1,0 +1,40 @@
+//! Pits whose way out is seen from the pit itself.
+//!
+//! Water in a pit must rise at least to the pit's lowest neighbour. If that neighbour does not drain into the pit itself,
+//! then it drains elsewhere (to come back it would have to pass another neighbour of the pit, and those are higher), so the
+//! link to it is the lowest pass that the pit's basin can have: an edge of the minimum spanning tree, found without looking
+//! at the basin's rim. On rough ground this settles about half of all pits before basins are even labelled.
+//!
+//! Everywhere nodes are compared by (elevation, index): flats have an order, and no two nodes are equal. So no cycle can
+//! arise: each link taken is the lowest way out of its own basin.
+
+use crate::grid::{Domain, INTERIOR, Link, NO_SLOT};
+use crate::parallel;
+
+/// Gives pits on flats the equal neighbour of lower index as receiver, and pits with an open way out that way; returns the number of
+/// pits, flats counted once.
+pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) -> usize {
+    let status = domain.status();
+    let pits: Vec<usize> = parallel::map_pieces(slot.len(), |piece| {
+        piece.filter(|&i| slot[i] == NO_SLOT && status[i] == INTERIOR).collect::<Vec<_>>()
+    })
+    .concat();
+    let below = |a: usize, b: usize| elevation[a] < elevation[b] || (elevation[a] == elevation[b] && a < b);
+    let lowest = |i: usize| domain.neighbours(i).reduce(|a: Link, b| if below(b.to, a.to) { b } else { a });
+    let mut closed = Vec::with_capacity(pits.len());
+    for i in pits {
+        match lowest(i) {
+            Some(link) if below(link.to, i) => (receiver[i], slot[i]) = (link.to as u32, link.slot),
+            Some(link) => closed.push((i, link)),
+            None => {}
+        }
+    }
+    let count = closed.len();
+    // The neighbours' receivers are final now: none of them is a pit itself.
+    for (i, link) in closed {
+        if receiver[link.to] as usize != i {
+            (receiver[i], slot[i]) = (link.to as u32, link.slot);
+        }
+    }
+    count
+}
