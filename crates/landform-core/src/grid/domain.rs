@@ -1,7 +1,5 @@
 //! The graph that flow runs over: what rasters and meshes have in common.
 
-use std::ops::Range;
-
 /// Flat index of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Node(pub u32);
@@ -72,15 +70,16 @@ pub trait Domain: Send + Sync + 'static {
     /// The slot in which the neighbour holds the link back.
     fn slot_back(&self, node: usize, slot: u8) -> u8;
 
-    /// Whether the neighbours in two slots are certainly neighbours of each other.
-    fn adjacent_slots(&self, node: usize, a: u8, b: u8) -> bool;
-
     /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
     /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]);
+    ///
+    /// `saddle` becomes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`]) form more than one
+    /// arc, else 0.
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8], saddle: &mut [u8]);
 
-    /// Calls `visit(a, slot of b, b, slot of a)` once for each link between unmasked nodes of which the first is in `nodes`.
-    fn for_each_link(&self, nodes: Range<usize>, visit: impl FnMut(usize, u8, usize, u8));
+    /// Calls `visit` with one slot of each arc of lower neighbours that does not hold `own`. An arc is a set of neighbours
+    /// that are joined by links among themselves; lower means lower by (elevation, index).
+    fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, visit: impl FnMut(u8));
 
     /// The same graph with other base levels.
     fn with_status(&self, status: Vec<u8>) -> Self
@@ -100,4 +99,10 @@ pub(super) fn steepest_link(domain: &impl Domain, elevation: &[f64], node: usize
         }
     }
     best.1
+}
+
+/// Whether `a` is lower than `b`; of equals the one with the lower index is.
+#[inline]
+pub(crate) fn is_below(elevation: &[f64], a: usize, b: usize) -> bool {
+    elevation[a] < elevation[b] || (elevation[a] == elevation[b] && a < b)
 }

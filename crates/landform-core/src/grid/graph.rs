@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Domain, INTERIOR, Link, MASKED, NO_SLOT};
+use super::{BASE_LEVEL, Domain, INTERIOR, Link, MASKED, NO_SLOT, is_below};
 use crate::parallel;
 
 /// Nodes with links in compressed rows. Links of a node are sorted counter-clockwise from its first.
@@ -103,29 +103,32 @@ impl Domain for Graph {
         self.back[self.start[node] as usize + slot as usize]
     }
 
-    #[inline]
-    fn adjacent_slots(&self, node: usize, a: u8, b: u8) -> bool {
-        let apart = a.abs_diff(b);
-        apart == 1 || (self.closed_fan[node] && apart as usize + 1 == self.row(node).len())
-    }
-
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
-        parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
-            for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8], saddle: &mut [u8]) {
+        parallel::for_pieces_mut3(receiver, slot, saddle, parallel::PIECE, |first, receivers, slots, saddles| {
+            for (k, ((r, s), saddle)) in receivers.iter_mut().zip(slots).zip(saddles).enumerate() {
                 let node = first + k;
-                (*r, *s) = (node as u32, NO_SLOT);
+                (*r, *s, *saddle) = (node as u32, NO_SLOT, u8::from(self.status[node] == BASE_LEVEL));
                 if self.status[node] != INTERIOR {
                     continue;
                 }
-                let z = elevation[node];
                 let row = self.row(node);
                 let (mut best, mut at) = (0.0, usize::MAX);
+                // Turns between lower and not lower; two make one arc.
+                let (mut turns, mut before, mut first_lower) = (0, false, false);
                 for (q, (&to, &inverse)) in self.to[row.clone()].iter().zip(&self.inverse_distance[row.clone()]).enumerate() {
-                    let slope = (z - elevation[to as usize]) * inverse;
+                    let drop = elevation[node] - elevation[to as usize];
+                    let slope = drop * inverse;
                     let steeper = slope > best;
                     best = if steeper { slope } else { best };
                     at = if steeper { q } else { at };
+                    let lower = (drop > 0.0) | ((drop == 0.0) & ((to as usize) < node));
+                    first_lower = if q == 0 { lower } else { first_lower };
+                    turns += u8::from(lower & !before);
+                    before = lower;
                 }
+                // An arc that runs over the start of a closed fan was counted twice.
+                turns -= u8::from(self.closed_fan[node] & first_lower & before & (turns > 1));
+                *saddle = u8::from(turns > 1);
                 if at != usize::MAX {
                     (*r, *s) = (self.to[row.start + at], at as u8);
                 }
@@ -133,17 +136,32 @@ impl Domain for Graph {
         });
     }
 
-    #[inline]
-    fn for_each_link(&self, nodes: Range<usize>, mut visit: impl FnMut(usize, u8, usize, u8)) {
-        for a in nodes {
-            let row = self.row(a);
-            for q in row.clone() {
-                let b = self.to[q] as usize;
-                if b > a && self.status[a] != MASKED && self.status[b] != MASKED {
-                    visit(a, (q - row.start) as u8, b, self.back[q]);
-                }
+    fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, mut visit: impl FnMut(u8)) {
+        let row = self.row(node);
+        let lower = |slot: usize| {
+            let to = self.to[row.start + slot] as usize;
+            self.status[to] != MASKED && is_below(elevation, to, node)
+        };
+        let degree = row.len();
+        // Begin after a gap, so that no arc is cut; without a gap all is one arc.
+        let gap = (0..degree).find(|&k| !lower(k));
+        let start = if self.closed_fan[node] { gap.map_or(0, |g| g + 1) } else { 0 };
+        let mut arc: Option<(u8, bool)> = None;
+        let mut close = |arc: Option<(u8, bool)>| {
+            if let Some((slot, false)) = arc {
+                visit(slot);
+            }
+        };
+        for k in 0..degree {
+            let slot = (start + k) % degree;
+            if lower(slot) {
+                let (first, owned) = arc.unwrap_or((slot as u8, false));
+                arc = Some((first, owned || slot == own as usize));
+            } else {
+                close(arc.take());
             }
         }
+        close(arc);
     }
 
     fn with_status(&self, status: Vec<u8>) -> Self {

@@ -9,6 +9,7 @@ mod grid;
 mod raster;
 mod shape;
 
+pub(crate) use domain::is_below;
 pub use domain::{BASE_LEVEL, Domain, INTERIOR, Link, MASKED, NO_SLOT, Node, Status};
 pub use edges::{Edge, Edges, Side};
 pub use georeference::{Georeference, Registration};

@@ -3,10 +3,8 @@
 //! Slots: 0 east, 1 north-east, 2 north, 3 north-west, 4 west, 5 south-west, 6 south, 7 south-east. Opposite slots differ
 //! by 4. Masked nodes hold NaN in every elevation that is passed in, so that no comparison ever chooses them.
 
-use std::ops::Range;
-
 use super::domain::steepest_link;
-use super::{BASE_LEVEL, Domain, Edge, Grid, INTERIOR, Link, MASKED, NO_SLOT, Shape, Side};
+use super::{BASE_LEVEL, Domain, Edge, Grid, INTERIOR, Link, MASKED, NO_SLOT, Shape, Side, is_below};
 use crate::parallel;
 
 const ROW_STEP: [isize; 8] = [0, -1, -1, -1, 0, 1, 1, 1];
@@ -31,6 +29,35 @@ const fn adjacency() -> [u8; 8] {
     }
     table
 }
+
+/// The directions of a mask that are joined to its first.
+const fn first_arc(mask: u8) -> u8 {
+    let mut arc = mask & mask.wrapping_neg();
+    loop {
+        let (mut grown, mut k) = (arc, 0);
+        while k < 8 {
+            if arc >> k & 1 == 1 {
+                grown |= ADJACENT[k] & mask;
+            }
+            k += 1;
+        }
+        if grown == arc {
+            return arc;
+        }
+        arc = grown;
+    }
+}
+
+/// 1 for masks whose directions form more than one arc.
+const IS_SADDLE: [u8; 256] = {
+    let mut table = [0; 256];
+    let mut mask = 1;
+    while mask < 256 {
+        table[mask] = (first_arc(mask as u8) != mask as u8) as u8;
+        mask += 1;
+    }
+    table
+};
 
 /// A grid's nodes as a graph of eight neighbours.
 #[derive(Clone, Debug)]
@@ -128,34 +155,33 @@ impl RasterDomain {
     }
 
     /// Steepest descent for one row; nodes with all eight neighbours take the branch-free kernel.
-    fn steepest_row(&self, elevation: &[f64], row: usize, slots: &mut [u8]) {
+    fn steepest_row(&self, elevation: &[f64], row: usize, slots: &mut [u8], saddles: &mut [u8]) {
         let cols = self.shape.cols;
         let inner = row > 0 && row + 1 < self.shape.rows && cols > 2;
         if inner {
             let rows = &elevation[(row - 1) * cols..(row + 2) * cols];
             let inverse = [1.0 / self.distance[0], 1.0 / self.distance[1], 1.0 / self.distance[2]];
-            steepest_kernel(rows, cols, inverse, slots);
+            steepest_kernel(rows, cols, inverse, slots, saddles);
         }
         let status = &self.status[row * cols..(row + 1) * cols];
         for col in 0..cols {
             if !inner || col == 0 || col + 1 == cols {
-                slots[col] = steepest_link(self, elevation, row * cols + col).map_or(NO_SLOT, |l| l.slot);
+                let node = row * cols + col;
+                slots[col] = steepest_link(self, elevation, node).map_or(NO_SLOT, |l| l.slot);
+                let mut arcs = 0;
+                self.lower_arcs(elevation, node, NO_SLOT, |_| arcs += 1);
+                saddles[col] = u8::from(arcs > 1);
             }
         }
-        for (slot, &s) in slots.iter_mut().zip(status) {
+        for ((slot, saddle), &s) in slots.iter_mut().zip(saddles).zip(status) {
             *slot = if s == INTERIOR { *slot } else { NO_SLOT };
+            *saddle = if s == INTERIOR { *saddle } else { u8::from(s == BASE_LEVEL) };
         }
-    }
-
-    #[inline(always)]
-    fn forward_link(&self, a: usize, k: usize, visit: &mut impl FnMut(usize, u8, usize, u8)) {
-        let b = (a as isize + self.offset[k]) as usize;
-        visit(a, k as u8, b, (k as u8 + 4) & 7);
     }
 }
 
 /// Columns 1..cols−1 of a row with a row above and below. Slopes are compared as drop times inverse distance.
-fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8]) {
+fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8], saddles: &mut [u8]) {
     let (up, rest) = rows.split_at(cols);
     let (here, down) = rest.split_at(cols);
     let [ix, id, iy] = inverse;
@@ -163,7 +189,7 @@ fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8
     let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
     let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
     let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
-    let out = &mut slots[1..=n];
+    let (out, lows) = (&mut slots[1..=n], &mut saddles[1..=n]);
     for j in 0..n {
         let z = hc[j];
         let slopes = [
@@ -183,6 +209,16 @@ fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8
             slot = if steeper { k as u8 } else { slot };
         }
         out[j] = slot;
+        // Of equals the one with the lower index is lower: north-east, north, north-west and west come before.
+        let mut lower = 0;
+        for (k, &s) in slopes.iter().enumerate() {
+            let is_lower = if k >= 1 && k <= 4 { s >= 0.0 } else { s > 0.0 };
+            lower |= u8::from(is_lower) << k;
+        }
+        lows[j] = lower;
+    }
+    for low in lows {
+        *low = IS_SADDLE[*low as usize];
     }
 }
 
@@ -219,9 +255,15 @@ impl Domain for RasterDomain {
         &self.status
     }
 
+    #[inline]
     fn neighbours(&self, node: usize) -> impl Iterator<Item = Link> {
+        let plain = !self.has_mask && !self.is_rim(node);
         (0..8).filter_map(move |k| {
-            let to = self.step(node, k).filter(|&j| self.status[j] != MASKED)?;
+            let to = if plain {
+                (node as isize + self.offset[k]) as usize
+            } else {
+                self.step(node, k).filter(|&j| self.status[j] != MASKED)?
+            };
             Some(Link { to, distance: self.distance[k], slot: k as u8 })
         })
     }
@@ -249,18 +291,14 @@ impl Domain for RasterDomain {
         (slot + 4) & 7
     }
 
-    #[inline]
-    fn adjacent_slots(&self, _: usize, a: u8, b: u8) -> bool {
-        ADJACENT[a as usize & 7] >> (b & 7) & 1 == 1
-    }
-
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8], saddle: &mut [u8]) {
         let cols = self.shape.cols;
         let band = cols * (parallel::PIECE / cols).max(1);
-        parallel::for_pieces_mut2(receiver, slot, band, |first, receivers, slots| {
-            for (k, (receivers, slots)) in receivers.chunks_mut(cols).zip(slots.chunks_mut(cols)).enumerate() {
+        parallel::for_pieces_mut3(receiver, slot, saddle, band, |first, receivers, slots, saddles| {
+            let rows = receivers.chunks_mut(cols).zip(slots.chunks_mut(cols)).zip(saddles.chunks_mut(cols));
+            for (k, ((receivers, slots), saddles)) in rows.enumerate() {
                 let row = first / cols + k;
-                self.steepest_row(elevation, row, slots);
+                self.steepest_row(elevation, row, slots, saddles);
                 for (col, (r, &s)) in receivers.iter_mut().zip(slots.iter()).enumerate() {
                     let node = row * cols + col;
                     *r = if s == NO_SLOT { node } else { self.neighbour(node, s) } as u32;
@@ -269,29 +307,16 @@ impl Domain for RasterDomain {
         });
     }
 
-    #[inline]
-    fn for_each_link(&self, nodes: Range<usize>, mut visit: impl FnMut(usize, u8, usize, u8)) {
-        let (rows, cols) = (self.shape.rows, self.shape.cols);
-        for a in nodes {
-            if self.has_mask && self.status[a] == MASKED {
-                continue;
-            }
-            let row = a / cols;
-            let col = a - row * cols;
-            // Each link once: from its western, or for north-south its northern, end: east, south-east, south, south-west.
-            if !self.has_mask && row + 1 < rows && col > 0 && col + 1 < cols {
-                for k in [0, 7, 6, 5] {
-                    self.forward_link(a, k, &mut visit);
-                }
-                continue;
-            }
-            for k in [0usize, 7, 6, 5] {
-                if let Some(b) = self.step(a, k)
-                    && self.status[b] != MASKED
-                    && b != a
-                {
-                    visit(a, k as u8, b, (k as u8 + 4) & 7);
-                }
+    fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, mut visit: impl FnMut(u8)) {
+        let mut lower = 0u8;
+        for link in self.neighbours(node) {
+            lower |= u8::from(is_below(elevation, link.to, node)) << link.slot;
+        }
+        while lower != 0 {
+            let arc = first_arc(lower);
+            lower &= !arc;
+            if own > 7 || arc >> own & 1 == 0 {
+                visit(arc.trailing_zeros() as u8);
             }
         }
     }
@@ -319,30 +344,27 @@ mod tests {
             grid.edges = edges;
             let domain = RasterDomain::new(&grid, &[]);
             let z = noise(grid.len());
-            let (mut receiver, mut slot) = (vec![0; z.len()], vec![0; z.len()]);
-            domain.steepest_descent(&z, &mut receiver, &mut slot);
+            let (mut receiver, mut slot, mut saddle) = (vec![0; z.len()], vec![0; z.len()], vec![0; z.len()]);
+            domain.steepest_descent(&z, &mut receiver, &mut slot, &mut saddle);
             for i in 0..z.len() {
                 let expected = if domain.status[i] == INTERIOR { steepest_link(&domain, &z, i) } else { None };
                 assert_eq!(slot[i], expected.map_or(NO_SLOT, |l| l.slot));
                 assert_eq!(receiver[i] as usize, expected.map_or(i, |l| l.to));
+                let mut arcs = 0;
+                domain.lower_arcs(&z, i, NO_SLOT, |_| arcs += 1);
+                assert_eq!(saddle[i] == 1, arcs > 1 || domain.status[i] == BASE_LEVEL);
             }
         }
     }
 
     #[test]
-    fn links_are_visited_once_and_lead_back() {
-        for (edges, count) in [(Edge::Closed, 4 * 20 - 5 - 4 - 2 * 8), (Edge::Periodic, 4 * 20)] {
-            let mut grid = Grid::new(Shape::new(4, 5), [1.0, 1.0]).unwrap();
-            grid.edges = Edges::all(edges);
-            let domain = RasterDomain::new(&grid, &[]);
-            let mut seen = std::collections::BTreeSet::new();
-            domain.for_each_link(0..20, |a, s, b, t| {
-                assert_eq!(domain.neighbour(a, s), b);
-                assert_eq!(domain.neighbour(b, t), a);
-                assert!(seen.insert((a.min(b), a.max(b), s.min(t))));
-            });
-            assert_eq!(seen.len(), if edges == Edge::Closed { 4 * 4 + 3 * 5 + 2 * 3 * 4 } else { count });
-        }
+    fn arcs_of_directions_are_told_apart() {
+        // East and north touch at a corner; east and west do not.
+        assert_eq!(IS_SADDLE[0b0000_0101], 0);
+        assert_eq!(IS_SADDLE[0b0001_0001], 1);
+        assert_eq!(IS_SADDLE[0b1111_1111], 0);
+        assert_eq!(IS_SADDLE[0b0010_0010], 1);
+        assert_eq!(first_arc(0b0001_0011), 0b0000_0011);
     }
 
     #[test]

@@ -318,17 +318,20 @@ mod tests {
     }
 
     #[test]
-    fn adjacent_slots_are_neighbours_of_each_other() {
+    fn the_kernel_and_the_arcs_agree() {
         let mesh = Mesh::delaunay(&sites(), Edges::default()).unwrap();
         let graph = mesh.graph();
+        let z: Vec<f64> = (0..graph.len()).map(|i| (8.0 * Seed(1).uniform(i as u64)).floor()).collect();
+        let (mut receiver, mut slot, mut saddle) = (vec![0; z.len()], vec![0; z.len()], vec![0; z.len()]);
+        graph.steepest_descent(&z, &mut receiver, &mut slot, &mut saddle);
         for i in 0..graph.len() {
+            let mut arcs = Vec::new();
+            graph.lower_arcs(&z, i, 255, |s| arcs.push(s));
+            assert_eq!(saddle[i] == 1, arcs.len() > 1 || graph.status()[i] == BASE_LEVEL);
+            // An arc's neighbour in the next slot, if lower too, is not the start of another arc.
             let links: Vec<_> = graph.neighbours(i).collect();
-            for a in &links {
-                for b in &links {
-                    if graph.adjacent_slots(i, a.slot, b.slot) {
-                        assert!(graph.neighbours(a.to).any(|l| l.to == b.to));
-                    }
-                }
+            for pair in links.windows(2) {
+                assert!(graph.neighbours(pair[0].to).any(|l| l.to == pair[1].to), "consecutive neighbours touch");
             }
         }
     }

@@ -29,7 +29,7 @@ mod passes;
 mod pits;
 mod tree;
 
-use crate::grid::{Domain, MASKED, NO_SLOT};
+use crate::grid::{Domain, MASKED};
 use crate::parallel;
 
 /// Receivers and order of all nodes; buffers are kept from call to call.
@@ -39,7 +39,8 @@ pub struct Flow {
     slot: Vec<u8>,
     /// Labels of basins while routing, order of nodes afterwards.
     order: Vec<u32>,
-    donors: Vec<u8>,
+    /// Saddles while routing, donors while ordering.
+    marks: Vec<u8>,
     pits: Vec<u32>,
     lakes: usize,
 }
@@ -58,23 +59,24 @@ impl Flow {
     /// **Shape** both slices have one value per node. **Cost** O(n).
     pub fn route<D: Domain>(&mut self, domain: &D, elevation: &[f64], amount: &mut [f64]) {
         self.descend(domain, elevation);
-        order::order_and_accumulate(&self.receiver, &self.slot, &mut self.donors, &mut self.order, amount);
+        order::order_and_accumulate(&self.receiver, &self.slot, &mut self.marks, &mut self.order, amount);
     }
 
     /// Receivers with lakes carved through; no order.
     fn descend<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
         let n = domain.len();
-        self.receiver.resize(n, 0);
-        self.slot.resize(n, NO_SLOT);
-        self.order.resize(n, 0);
-        domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot);
+        if self.receiver.len() != n {
+            // Zeroed pages cost nothing until they are written.
+            (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
+        }
+        domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot, &mut self.marks);
         self.lakes = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
         labels::label_basins(domain.status(), &self.receiver, &mut self.order, &mut self.pits);
         let basins = self.pits.len();
         if basins == 1 {
             return;
         }
-        let passes = passes::find_passes(domain, elevation, &self.slot, &self.order);
+        let passes = passes::find_passes(domain, elevation, &self.marks, &self.slot, &self.order);
         let tree = tree::spanning_tree(passes, basins);
         tree::carve(domain, tree, &self.order, basins, &mut self.receiver, &mut self.slot);
     }
@@ -84,7 +86,7 @@ impl Flow {
         &self.receiver
     }
 
-    /// The slot of each node's receiver, or [`NO_SLOT`].
+    /// The slot of each node's receiver, or [`NO_SLOT`](crate::grid::NO_SLOT).
     pub fn slots(&self) -> &[u8] {
         &self.slot
     }

@@ -1,11 +1,13 @@
 //! Passes between basins.
 //!
-//! A link between two basins stands as high as its higher end. Only the lowest link of each pair of basins matters, but a
-//! fractal surface has almost as many links between basins as nodes. Many can be dropped where they are found: if the higher
-//! end's own receiver touches the lower end, then the link from that receiver to the lower end joins the same two basins and
-//! is lower. What is left are saddles, with the two ways down on opposite sides.
+//! A link between two basins stands as high as its higher end. A fractal surface has almost as many such links as nodes; the
+//! minimum spanning tree needs few of them. Take the higher end v of a link and the neighbours of v that are lower. Those that
+//! touch form arcs. Within an arc one can walk from neighbour to neighbour below v, and v's own receiver lies in an arc, so a
+//! link from v into its receiver's arc closes a cycle on which it is the highest: it is not in the tree. Of the links into
+//! another arc one is enough, for the same reason. So only saddles, whose lower neighbours form several arcs, hold passes, and
+//! each as many as it has further arcs. There are about as many saddles as pits and peaks together.
 
-use crate::grid::{Domain, NO_SLOT};
+use crate::grid::Domain;
 use crate::parallel;
 
 /// A link between two basins.
@@ -15,29 +17,27 @@ pub(super) struct Pass {
     pub(super) height: f64,
     /// Basins on both sides; while the tree grows, what they were merged into.
     pub(super) basins: [u32; 2],
-    /// The end in the first basin.
+    /// The higher end, in the first basin.
     pub(super) node: u32,
     /// The slot that leads from there to the end in the second basin.
     pub(super) slot: u8,
 }
 
-/// Passes in order of nodes, in pieces. **Cost** O(links).
-pub(super) fn find_passes<D: Domain>(domain: &D, elevation: &[f64], slot: &[u8], label: &[u32]) -> Vec<Vec<Pass>> {
-    parallel::map_pieces(domain.len(), |piece| {
-        let mut found = Vec::with_capacity(piece.len() / 4);
-        domain.for_each_link(piece, |a, a_slot, b, b_slot| {
-            let basins = [label[a], label[b]];
-            if basins[0] == basins[1] {
-                return;
-            }
-            let (za, zb) = (elevation[a], elevation[b]);
-            let (high, to_low, drop) = if za >= zb { (a, a_slot, za > zb) } else { (b, b_slot, true) };
-            let way = slot[high];
-            if drop && way != NO_SLOT && domain.adjacent_slots(high, way, to_low) {
-                return;
-            }
-            found.push(Pass { height: za.max(zb), basins, node: a as u32, slot: a_slot });
-        });
+/// Passes in order of nodes. **Cost** O(nodes), most of it reading `saddle`.
+pub(super) fn find_passes<D: Domain>(domain: &D, elevation: &[f64], saddle: &[u8], slot: &[u8], label: &[u32]) -> Vec<Pass> {
+    let pieces = parallel::map_pieces(domain.len(), |piece| {
+        let mut found = Vec::new();
+        for node in piece.filter(|&i| saddle[i] != 0) {
+            domain.lower_arcs(elevation, node, slot[node], |to| {
+                let basins = [label[node], label[domain.neighbour(node, to)]];
+                if basins[0] != basins[1] {
+                    found.push(Pass { height: elevation[node], basins, node: node as u32, slot: to });
+                }
+            });
+        }
         found
-    })
+    });
+    let mut passes = Vec::with_capacity(pieces.iter().map(Vec::len).sum());
+    pieces.into_iter().for_each(|piece| passes.extend(piece));
+    passes
 }

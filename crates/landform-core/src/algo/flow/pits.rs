@@ -8,7 +8,7 @@
 //! Everywhere nodes are compared by (elevation, index): flats have an order, and no two nodes are equal. So no cycle can
 //! arise: each link taken is the lowest way out of its own basin.
 
-use crate::grid::{Domain, INTERIOR, Link, NO_SLOT};
+use crate::grid::{Domain, INTERIOR, Link, NO_SLOT, is_below};
 use crate::parallel;
 
 /// Gives pits on flats the equal neighbour of lower index as receiver, and pits with an open way out that way; returns the number of
@@ -19,7 +19,7 @@ pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut
         piece.filter(|&i| slot[i] == NO_SLOT && status[i] == INTERIOR).collect::<Vec<_>>()
     })
     .concat();
-    let below = |a: usize, b: usize| elevation[a] < elevation[b] || (elevation[a] == elevation[b] && a < b);
+    let below = |a: usize, b: usize| is_below(elevation, a, b);
     let lowest = |i: usize| domain.neighbours(i).reduce(|a: Link, b| if below(b.to, a.to) { b } else { a });
     let mut closed = Vec::with_capacity(pits.len());
     for i in pits {

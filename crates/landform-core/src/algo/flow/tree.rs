@@ -10,11 +10,7 @@ const NONE: (f64, u32) = (f64::INFINITY, u32::MAX);
 ///
 /// Equal heights are told apart by position in the list. **Cost** O(passes · log basins), in practice a few rounds over a
 /// list that halves each time.
-pub(super) fn spanning_tree(pieces: Vec<Vec<Pass>>, basins: usize) -> Vec<Pass> {
-    let mut passes = Vec::with_capacity(pieces.iter().map(Vec::len).sum());
-    for piece in pieces {
-        passes.extend(piece);
-    }
+pub(super) fn spanning_tree(mut passes: Vec<Pass>, basins: usize) -> Vec<Pass> {
     let mut parent: Vec<u32> = (0..basins as u32).collect();
     let mut tree: Vec<Pass> = Vec::with_capacity(basins);
     let mut best = vec![NONE; basins];
