@@ -71,20 +71,13 @@ pub fn for_rows_mut<T: Send>(out: &mut [T], cols: usize, f: impl Fn(usize, &mut 
     }
 }
 
-/// Calls `f(first index, a, b, c)` for matching pieces of three slices of equal length.
-pub fn for_pieces_mut3<A: Send, B: Send, C: Send>(
-    a: &mut [A],
-    b: &mut [B],
-    c: &mut [C],
-    size: usize,
-    f: impl Fn(usize, &mut [A], &mut [B], &mut [C]) + Sync,
-) {
+/// Calls `f(first index, a, b)` for matching pieces of two slices of equal length.
+pub fn for_pieces_mut2<A: Send, B: Send>(a: &mut [A], b: &mut [B], size: usize, f: impl Fn(usize, &mut [A], &mut [B]) + Sync) {
     let size = size.max(1);
     if a.len() <= size {
-        return f(0, a, b, c);
+        return f(0, a, b);
     }
-    let pieces = a.par_chunks_mut(size).zip(b.par_chunks_mut(size)).zip(c.par_chunks_mut(size));
-    pieces.enumerate().for_each(|(k, ((a, b), c))| f(k * size, a, b, c));
+    a.par_chunks_mut(size).zip(b.par_chunks_mut(size)).enumerate().for_each(|(k, (a, b))| f(k * size, a, b));
 }
 
 /// Runs `f` on exactly `threads` threads (0: as many as there are cores).

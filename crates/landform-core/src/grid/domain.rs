@@ -72,10 +72,10 @@ pub trait Domain: Send + Sync + 'static {
 
     /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
     /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
-    ///
-    /// `saddle` becomes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`]) form more than one
-    /// arc, else 0.
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8], saddle: &mut [u8]);
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]);
+
+    /// Writes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`]) form more than one arc, else 0.
+    fn saddles(&self, elevation: &[f64], saddle: &mut [u8]);
 
     /// Calls `visit` with one slot of each arc of lower neighbours that does not hold `own`. An arc is a set of neighbours
     /// that are joined by links among themselves; lower means lower by (elevation, index).

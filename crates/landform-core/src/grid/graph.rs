@@ -103,36 +103,46 @@ impl Domain for Graph {
         self.back[self.start[node] as usize + slot as usize]
     }
 
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8], saddle: &mut [u8]) {
-        parallel::for_pieces_mut3(receiver, slot, saddle, parallel::PIECE, |first, receivers, slots, saddles| {
-            for (k, ((r, s), saddle)) in receivers.iter_mut().zip(slots).zip(saddles).enumerate() {
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
+        parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
+            for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
                 let node = first + k;
-                (*r, *s, *saddle) = (node as u32, NO_SLOT, u8::from(self.status[node] == BASE_LEVEL));
+                (*r, *s) = (node as u32, NO_SLOT);
                 if self.status[node] != INTERIOR {
                     continue;
                 }
+                let z = elevation[node];
                 let row = self.row(node);
                 let (mut best, mut at) = (0.0, usize::MAX);
-                // Turns between lower and not lower; two make one arc.
-                let (mut turns, mut before, mut first_lower) = (0, false, false);
                 for (q, (&to, &inverse)) in self.to[row.clone()].iter().zip(&self.inverse_distance[row.clone()]).enumerate() {
-                    let drop = elevation[node] - elevation[to as usize];
-                    let slope = drop * inverse;
+                    let slope = (z - elevation[to as usize]) * inverse;
                     let steeper = slope > best;
                     best = if steeper { slope } else { best };
                     at = if steeper { q } else { at };
-                    let lower = (drop > 0.0) | ((drop == 0.0) & ((to as usize) < node));
-                    first_lower = if q == 0 { lower } else { first_lower };
-                    turns += u8::from(lower & !before);
-                    before = lower;
                 }
-                // An arc that runs over the start of a closed fan was counted twice.
-                turns -= u8::from(self.closed_fan[node] & first_lower & before & (turns > 1));
-                *saddle = u8::from(turns > 1);
                 if at != usize::MAX {
                     (*r, *s) = (self.to[row.start + at], at as u8);
                 }
             }
+        });
+    }
+
+    fn saddles(&self, elevation: &[f64], saddle: &mut [u8]) {
+        parallel::update(saddle, |node, saddle| {
+            let row = self.row(node);
+            let z = elevation[node];
+            // Arcs begin where lower follows upon not lower.
+            let (mut arcs, mut before, mut first) = (0, false, false);
+            for (q, &to) in self.to[row].iter().enumerate() {
+                let other = elevation[to as usize];
+                let lower = (other < z) | ((other == z) & ((to as usize) < node));
+                first = if q == 0 { lower } else { first };
+                arcs += u8::from(lower & !before);
+                before = lower;
+            }
+            // An arc that runs over the start of a closed fan was counted twice.
+            arcs -= u8::from(self.closed_fan[node] & first & before & (arcs > 1));
+            *saddle = u8::from(arcs > 1 || self.status[node] == BASE_LEVEL);
         });
     }
 

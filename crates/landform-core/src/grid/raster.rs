@@ -155,33 +155,29 @@ impl RasterDomain {
     }
 
     /// Steepest descent for one row; nodes with all eight neighbours take the branch-free kernel.
-    fn steepest_row(&self, elevation: &[f64], row: usize, slots: &mut [u8], saddles: &mut [u8]) {
+    fn steepest_row(&self, elevation: &[f64], row: usize, slots: &mut [u8]) {
         let cols = self.shape.cols;
         let inner = row > 0 && row + 1 < self.shape.rows && cols > 2;
         if inner {
             let rows = &elevation[(row - 1) * cols..(row + 2) * cols];
             let inverse = [1.0 / self.distance[0], 1.0 / self.distance[1], 1.0 / self.distance[2]];
-            steepest_kernel(rows, cols, inverse, slots, saddles);
+            steepest_kernel(rows, cols, inverse, slots);
         }
         let status = &self.status[row * cols..(row + 1) * cols];
         for col in 0..cols {
             if !inner || col == 0 || col + 1 == cols {
                 let node = row * cols + col;
                 slots[col] = steepest_link(self, elevation, node).map_or(NO_SLOT, |l| l.slot);
-                let mut arcs = 0;
-                self.lower_arcs(elevation, node, NO_SLOT, |_| arcs += 1);
-                saddles[col] = u8::from(arcs > 1);
             }
         }
-        for ((slot, saddle), &s) in slots.iter_mut().zip(saddles).zip(status) {
+        for (slot, &s) in slots.iter_mut().zip(status) {
             *slot = if s == INTERIOR { *slot } else { NO_SLOT };
-            *saddle = if s == INTERIOR { *saddle } else { u8::from(s == BASE_LEVEL) };
         }
     }
 }
 
 /// Columns 1..cols−1 of a row with a row above and below. Slopes are compared as drop times inverse distance.
-fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8], saddles: &mut [u8]) {
+fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8]) {
     let (up, rest) = rows.split_at(cols);
     let (here, down) = rest.split_at(cols);
     let [ix, id, iy] = inverse;
@@ -189,7 +185,7 @@ fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8
     let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
     let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
     let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
-    let (out, lows) = (&mut slots[1..=n], &mut saddles[1..=n]);
+    let out = &mut slots[1..=n];
     for j in 0..n {
         let z = hc[j];
         let slopes = [
@@ -209,16 +205,26 @@ fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8
             slot = if steeper { k as u8 } else { slot };
         }
         out[j] = slot;
-        // Of equals the one with the lower index is lower: north-east, north, north-west and west come before.
-        let mut lower = 0;
-        for (k, &s) in slopes.iter().enumerate() {
-            let is_lower = if k >= 1 && k <= 4 { s >= 0.0 } else { s > 0.0 };
-            lower |= u8::from(is_lower) << k;
-        }
-        lows[j] = lower;
     }
-    for low in lows {
-        *low = IS_SADDLE[*low as usize];
+}
+
+/// Columns 1..cols−1 of a row with a row above and below: whether lower neighbours form several arcs.
+fn saddle_kernel(rows: &[f64], cols: usize, saddles: &mut [u8]) {
+    let (up, rest) = rows.split_at(cols);
+    let (here, down) = rest.split_at(cols);
+    let n = cols - 2;
+    let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
+    let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
+    let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
+    let out = &mut saddles[1..=n];
+    for j in 0..n {
+        let z = hc[j];
+        // Of equals the one with the lower index is lower: north-east, north, north-west and west come before.
+        let lower = [he[j] < z, ue[j] <= z, uc[j] <= z, uw[j] <= z, hw[j] <= z, dw[j] < z, dc[j] < z, de[j] < z];
+        out[j] = lower.iter().enumerate().fold(0, |mask, (k, &l)| mask | u8::from(l) << k);
+    }
+    for mask in out {
+        *mask = IS_SADDLE[*mask as usize];
     }
 }
 
@@ -291,18 +297,37 @@ impl Domain for RasterDomain {
         (slot + 4) & 7
     }
 
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8], saddle: &mut [u8]) {
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
         let cols = self.shape.cols;
         let band = cols * (parallel::PIECE / cols).max(1);
-        parallel::for_pieces_mut3(receiver, slot, saddle, band, |first, receivers, slots, saddles| {
-            let rows = receivers.chunks_mut(cols).zip(slots.chunks_mut(cols)).zip(saddles.chunks_mut(cols));
-            for (k, ((receivers, slots), saddles)) in rows.enumerate() {
+        parallel::for_pieces_mut2(receiver, slot, band, |first, receivers, slots| {
+            for (k, (receivers, slots)) in receivers.chunks_mut(cols).zip(slots.chunks_mut(cols)).enumerate() {
                 let row = first / cols + k;
-                self.steepest_row(elevation, row, slots, saddles);
+                self.steepest_row(elevation, row, slots);
                 for (col, (r, &s)) in receivers.iter_mut().zip(slots.iter()).enumerate() {
                     let node = row * cols + col;
                     *r = if s == NO_SLOT { node } else { self.neighbour(node, s) } as u32;
                 }
+            }
+        });
+    }
+
+    fn saddles(&self, elevation: &[f64], saddle: &mut [u8]) {
+        let cols = self.shape.cols;
+        parallel::for_rows_mut(saddle, cols, |row, saddles| {
+            let inner = row > 0 && row + 1 < self.shape.rows && cols > 2;
+            if inner {
+                saddle_kernel(&elevation[(row - 1) * cols..(row + 2) * cols], cols, saddles);
+            }
+            for (col, saddle) in saddles.iter_mut().enumerate() {
+                let node = row * cols + col;
+                if !inner || col == 0 || col + 1 == cols {
+                    let mut arcs = 0;
+                    self.lower_arcs(elevation, node, NO_SLOT, |_| arcs += 1);
+                    *saddle = u8::from(arcs > 1);
+                }
+                let s = self.status[node];
+                *saddle = if s == INTERIOR { *saddle } else { u8::from(s == BASE_LEVEL) };
             }
         });
     }
@@ -345,7 +370,8 @@ mod tests {
             let domain = RasterDomain::new(&grid, &[]);
             let z = noise(grid.len());
             let (mut receiver, mut slot, mut saddle) = (vec![0; z.len()], vec![0; z.len()], vec![0; z.len()]);
-            domain.steepest_descent(&z, &mut receiver, &mut slot, &mut saddle);
+            domain.steepest_descent(&z, &mut receiver, &mut slot);
+            domain.saddles(&z, &mut saddle);
             for i in 0..z.len() {
                 let expected = if domain.status[i] == INTERIOR { steepest_link(&domain, &z, i) } else { None };
                 assert_eq!(slot[i], expected.map_or(NO_SLOT, |l| l.slot));

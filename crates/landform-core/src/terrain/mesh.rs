@@ -322,8 +322,8 @@ mod tests {
         let mesh = Mesh::delaunay(&sites(), Edges::default()).unwrap();
         let graph = mesh.graph();
         let z: Vec<f64> = (0..graph.len()).map(|i| (8.0 * Seed(1).uniform(i as u64)).floor()).collect();
-        let (mut receiver, mut slot, mut saddle) = (vec![0; z.len()], vec![0; z.len()], vec![0; z.len()]);
-        graph.steepest_descent(&z, &mut receiver, &mut slot, &mut saddle);
+        let mut saddle = vec![0; z.len()];
+        graph.saddles(&z, &mut saddle);
         for i in 0..graph.len() {
             let mut arcs = Vec::new();
             graph.lower_arcs(&z, i, 255, |s| arcs.push(s));

@@ -53,6 +53,8 @@ struct Reach {
     area: Vec<f64>,
     /// Greatest rate, m/s.
     greatest: f64,
+    /// Volume raised a second, m³/s.
+    supply: f64,
 }
 
 impl Reach {
@@ -60,7 +62,8 @@ impl Reach {
         let status = domain.status();
         let area = parallel::map(domain.len(), |i| if status[i] == INTERIOR { domain.area(i) } else { 0.0 });
         let greatest = parallel::max(area.len(), |i| if area[i] > 0.0 { rate.at(i) } else { 0.0 }).max(0.0);
-        Self { area, greatest }
+        let supply = parallel::sum(area.len(), |i| if area[i] > 0.0 { rate.at(i) * area[i] } else { 0.0 });
+        Self { area, greatest, supply }
     }
 }
 
@@ -74,14 +77,13 @@ impl<T: NodeSurface> Process<T> for Uplift {
 
     fn step(&self, terrain: &mut T, state: &mut State, at: &Step) -> Result<Change> {
         let State { rate, reach } = state;
-        let Reach { area, greatest } = reach.get_or_insert_with(|| Reach::new(&*terrain.domain(), rate));
+        let Reach { area, greatest, supply } = reach.get_or_insert_with(|| Reach::new(&*terrain.domain(), rate));
         parallel::update(terrain.elevation_mut(), |i, z| {
             if area[i] > 0.0 {
                 *z += rate.at(i) * at.dt;
             }
         });
-        let supplied = at.dt * parallel::sum(area.len(), |i| if area[i] > 0.0 { rate.at(i) * area[i] } else { 0.0 });
-        Ok(Change { supplied, raised: *greatest * at.dt, ..Change::default() })
+        Ok(Change { supplied: *supply * at.dt, raised: *greatest * at.dt, ..Change::default() })
     }
 }
 

@@ -69,13 +69,14 @@ impl Flow {
             // Zeroed pages cost nothing until they are written.
             (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
         }
-        domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot, &mut self.marks);
+        domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot);
         self.lakes = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
         labels::label_basins(domain.status(), &self.receiver, &mut self.order, &mut self.pits);
         let basins = self.pits.len();
         if basins == 1 {
             return;
         }
+        domain.saddles(elevation, &mut self.marks);
         let passes = passes::find_passes(domain, elevation, &self.marks, &self.slot, &self.order);
         let tree = tree::spanning_tree(passes, basins);
         tree::carve(domain, tree, &self.order, basins, &mut self.receiver, &mut self.slot);

@@ -11,12 +11,22 @@
 use crate::grid::{Domain, INTERIOR, Link, NO_SLOT, is_below};
 use crate::parallel;
 
+const RUN: usize = 32;
+
 /// Gives pits on flats the equal neighbour of lower index as receiver, and pits with an open way out that way; returns the number of
 /// pits, flats counted once.
 pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) -> usize {
     let status = domain.status();
     let pits: Vec<usize> = parallel::map_pieces(slot.len(), |piece| {
-        piece.filter(|&i| slot[i] == NO_SLOT && status[i] == INTERIOR).collect::<Vec<_>>()
+        let mut pits = Vec::new();
+        // Most runs of slots hold none.
+        for first in piece.clone().step_by(RUN) {
+            let run = first..(first + RUN).min(piece.end);
+            if slot[run.clone()].iter().fold(0, |most, &s| most.max(s)) == NO_SLOT {
+                pits.extend(run.filter(|&i| slot[i] == NO_SLOT && status[i] == INTERIOR));
+            }
+        }
+        pits
     })
     .concat();
     let below = |a: usize, b: usize| is_below(elevation, a, b);
