@@ -4,9 +4,9 @@
 //! Braun & Willett (2013): eq. 22 for n = 1, eqs. 23–24 (Newton) otherwise.
 
 use landform_core::algo::flow::Flow;
-use landform_core::grid::{Domain, NO_SLOT};
+use landform_core::grid::Domain;
 use landform_core::verb::Resolved;
-use landform_core::{math, parallel};
+use landform_core::math;
 
 /// The law for one step.
 pub(super) struct Law {
@@ -17,41 +17,38 @@ pub(super) struct Law {
     pub(super) dt: f64,
 }
 
-/// Lowers every node towards its receiver, from the outlets upwards; returns the volume taken, m³.
-///
-/// `amount` holds drainage area and is used up: it becomes K Δt Aᵐ/Lⁿ.
+/// Lowers every node towards its receiver, from the outlets upwards; returns the volume taken, m³. `area` is drainage area.
 pub(super) fn sweep<D: Domain>(
     domain: &D,
     flow: &Flow,
     law: &Law,
     erodibility: &Resolved,
-    amount: &mut [f64],
+    area: &[f64],
     z: &mut [f64],
 ) -> f64 {
-    let slots = flow.slots();
+    let (slots, receivers) = (flow.slots(), flow.receivers());
     let linear = law.slope_exponent == 1.0;
     let (m, n) = (law.area_exponent, law.slope_exponent);
-    parallel::update(amount, |i, a| {
-        if slots[i] != NO_SLOT {
-            let length = domain.distance(i, slots[i]);
-            *a = erodibility.at(i) * law.dt * math::pow(*a, m) / if linear { length } else { math::pow(length, n) };
-        }
-    });
-    let receivers = flow.receivers();
     let clamped = law.greatest_slope.is_finite();
     let mut volume = 0.0;
     for &i in flow.order().iter().rev() {
         let i = i as usize;
-        let r = receivers[i] as usize;
-        let (old, base) = (z[i], z[r]);
+        let (old, base) = (z[i], z[receivers[i] as usize]);
         // Outlets are their own receivers; lake floors lie at or below theirs.
         if !(old > base) {
             continue;
         }
-        let f = amount[i];
-        let mut new = if linear { (old + f * base) / (1.0 + f) } else { base + newton(old - base, f, n) };
+        // Roots and divisions hide behind the wait for memory: a pass of their own would cost more, even on two threads.
+        let length = domain.distance(i, slots[i]);
+        let strength = erodibility.at(i) * law.dt * math::pow(area[i], m);
+        let mut new = if linear {
+            let f = strength / length;
+            (old + f * base) / (1.0 + f)
+        } else {
+            base + newton(old - base, strength / math::pow(length, n), n)
+        };
         if clamped {
-            new = new.min(base + law.greatest_slope * domain.distance(i, slots[i]));
+            new = new.min(base + law.greatest_slope * length);
         }
         z[i] = new;
         volume += (old - new) * domain.area(i);

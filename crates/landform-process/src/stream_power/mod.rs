@@ -67,7 +67,7 @@ struct Scratch<D> {
     flow: Flow,
     /// Area per node times relative rainfall.
     weight: Vec<f64>,
-    /// Accumulated weight, then the sweep's factor.
+    /// Accumulated weight.
     amount: Vec<f64>,
 }
 
