@@ -27,7 +27,9 @@ pub(super) struct Pass {
 pub(super) fn find_passes<D: Domain>(domain: &D, elevation: &[f64], saddle: &[u8], slot: &[u8], label: &[u32]) -> Vec<Pass> {
     let pieces = parallel::map_pieces(domain.len(), |piece| {
         let mut found = Vec::new();
-        for node in piece.filter(|&i| saddle[i] != 0) {
+        // In a landscape that has almost drained most saddles lie within one basin.
+        let at_rim = |i: usize| domain.neighbours(i).any(|l| label[l.to] != label[i]);
+        for node in piece.filter(|&i| saddle[i] != 0 && at_rim(i)) {
             domain.lower_arcs(elevation, node, slot[node], |to| {
                 let basins = [label[node], label[domain.neighbour(node, to)]];
                 if basins[0] != basins[1] {
