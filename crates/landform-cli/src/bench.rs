@@ -108,7 +108,13 @@ fn rough(n: usize) -> Result<HeightField> {
     HeightField::new(grid, z)
 }
 
-fn evolve<T: NodeSurface>(terrain: T, uplift: f64, erodibility: f64, dt: f64, steps: u64) -> Result<(T, Vec<f64>, f64)> {
+fn evolve<T: NodeSurface>(
+    terrain: T,
+    uplift: f64,
+    erodibility: f64,
+    dt: f64,
+    steps: u64,
+) -> Result<(T, Vec<f64>, f64)> {
     let rivers = StreamPower { erodibility: Erodibility::of(erodibility).into(), ..StreamPower::default() };
     let mut last = Instant::now();
     let mut times = Vec::new();

@@ -21,7 +21,12 @@ use clap::{Parser, Subcommand};
 
 /// Grows landscapes from natural processes.
 #[derive(Parser)]
-#[command(name = "landform", version, about, after_help = "Begin with: landform new mountains; landform run mountains.toml -o out")]
+#[command(
+    name = "landform",
+    version,
+    about,
+    after_help = "Begin with: landform new mountains; landform run mountains.toml -o out"
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,

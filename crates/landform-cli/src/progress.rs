@@ -125,7 +125,8 @@ fn bar(state: &mut State, signal: &Signal) {
             }
             eprintln!("{}", stage_line(*index, *of, name, *cached));
             let bar = ProgressBar::new(1000);
-            if let Ok(style) = ProgressStyle::with_template("  {bar:32} {percent:>3} %  {msg}  {elapsed} (left {eta})") {
+            if let Ok(style) = ProgressStyle::with_template("  {bar:32} {percent:>3} %  {msg}  {elapsed} (left {eta})")
+            {
                 bar.set_style(style);
             }
             bar.enable_steady_tick(Duration::from_millis(200));
@@ -180,7 +181,9 @@ fn as_json(state: &mut State, signal: &Signal) {
             state.last = Instant::now();
             json!({ "event": "step", "stage": state.stage, "steps": steps, "years": time / YEAR, "part": part, "residual": residual })
         }
-        Signal::Outcome(o) => json!({ "event": "outcome", "stage": state.stage, "outcome": o, "imbalance": o.budget.imbalance() }),
+        Signal::Outcome(o) => {
+            json!({ "event": "outcome", "stage": state.stage, "outcome": o, "imbalance": o.budget.imbalance() })
+        }
         Signal::Note(text) => json!({ "event": "note", "text": text }),
     };
     println!("{line}");

@@ -23,7 +23,9 @@ pub(crate) fn about(recipe: &Path) -> impl Fn(Error) -> Failure {
 
 pub(crate) fn show(failure: &Failure) {
     let place = match (&failure.error, &failure.recipe) {
-        (Error::Recipe { at: Some((line, column)), .. }, Some(path)) => format!(" at {}:{line}:{column}", path.display()),
+        (Error::Recipe { at: Some((line, column)), .. }, Some(path)) => {
+            format!(" at {}:{line}:{column}", path.display())
+        }
         (Error::Recipe { at: None, .. }, Some(path)) => format!(" in {}", path.display()),
         _ => String::new(),
     };

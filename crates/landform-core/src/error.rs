@@ -171,17 +171,21 @@ impl Error {
         match self {
             Self::Stage { source, .. } => source.hint(),
             Self::Recipe { hint, .. } | Self::Format { hint, .. } => hint.clone(),
-            Self::MissingField { name, available, .. } => Some(match nearest(name, available.iter().map(String::as_str)) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None if available.is_empty() => "the landscape has no fields besides its elevation".into(),
-                None => format!("the landscape has {}", available.join(", ")),
-            }),
+            Self::MissingField { name, available, .. } => {
+                Some(match nearest(name, available.iter().map(String::as_str)) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None if available.is_empty() => "the landscape has no fields besides its elevation".into(),
+                    None => format!("the landscape has {}", available.join(", ")),
+                })
+            }
             Self::NonFinite { .. } => Some("a rate is too great for the time step; try a smaller `clock.dt`".into()),
             Self::NotConverged { .. } => Some("try a smaller `clock.dt`".into()),
             Self::Empty { .. } => Some("check the file's nodata value".into()),
             Self::Memory { .. } => Some("ask for fewer nodes or larger cells, or go on regardless with --force".into()),
             Self::Io { source, action, .. } => match (source.kind(), *action) {
-                (std::io::ErrorKind::NotFound, "read") => Some("paths in a recipe are relative to the recipe's folder".into()),
+                (std::io::ErrorKind::NotFound, "read") => {
+                    Some("paths in a recipe are relative to the recipe's folder".into())
+                }
                 (std::io::ErrorKind::StorageFull, _) => Some("the disk is full; nothing half-written was left".into()),
                 (std::io::ErrorKind::PermissionDenied, _) => Some("choose another folder with -o".into()),
                 _ => None,

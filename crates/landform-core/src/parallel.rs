@@ -72,7 +72,12 @@ pub fn for_rows_mut<T: Send>(out: &mut [T], cols: usize, f: impl Fn(usize, &mut 
 }
 
 /// Calls `f(first index, a, b)` for matching pieces of two slices of equal length.
-pub fn for_pieces_mut2<A: Send, B: Send>(a: &mut [A], b: &mut [B], size: usize, f: impl Fn(usize, &mut [A], &mut [B]) + Sync) {
+pub fn for_pieces_mut2<A: Send, B: Send>(
+    a: &mut [A],
+    b: &mut [B],
+    size: usize,
+    f: impl Fn(usize, &mut [A], &mut [B]) + Sync,
+) {
     let size = size.max(1);
     if a.len() <= size {
         return f(0, a, b);

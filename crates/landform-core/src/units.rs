@@ -286,7 +286,9 @@ impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
                 Quantity::parse(text).map_err(E::custom)
             }
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
-                let fail = |why: &str| E::custom(Error::Quantity { text: value.to_string(), expected: expected::<D>(), why: why.into() });
+                let fail = |why: &str| {
+                    E::custom(Error::Quantity { text: value.to_string(), expected: expected::<D>(), why: why.into() })
+                };
                 if !value.is_finite() {
                     return Err(fail("it is not finite"));
                 }

@@ -49,7 +49,9 @@ impl Folder {
     pub fn create(root: &Path) -> Result<Self> {
         fs::create_dir_all(root).map_err(|e| Error::io("create folder", root, e))?;
         let probe = root.join(format!(".landform-probe.{}", std::process::id()));
-        fs::write(&probe, b"").and_then(|()| fs::remove_file(&probe)).map_err(|e| Error::io("write in folder", root, e))?;
+        fs::write(&probe, b"")
+            .and_then(|()| fs::remove_file(&probe))
+            .map_err(|e| Error::io("write in folder", root, e))?;
         Ok(Self { root: root.into(), written: Vec::new() })
     }
 

@@ -7,11 +7,13 @@ pub const ELEVATION: Key<f64> = Key::new("elevation", "m", "elevation of the gro
 /// Drainage area.
 pub const DRAINAGE_AREA: Key<f64> = Key::new("drainage_area", "m2", "upslope area, own cell included");
 /// Depth of standing water.
-pub const LAKE_DEPTH: Key<f64> = Key::new("lake_depth", "m", "depth of the lake over the ground, filled to its outlet; 0 on land");
+pub const LAKE_DEPTH: Key<f64> =
+    Key::new("lake_depth", "m", "depth of the lake over the ground, filled to its outlet; 0 on land");
 /// Index of the node that water goes to next.
 pub const RECEIVER: Key<u32> = Key::new("receiver", "1", "index of the node that receives this node's water");
 /// Index of the outlet that a node drains to.
-pub const BASIN: Key<u32> = Key::new("basin", "1", "number of the drainage basin, in order of its outlet's index, from 1");
+pub const BASIN: Key<u32> =
+    Key::new("basin", "1", "number of the drainage basin, in order of its outlet's index, from 1");
 /// Name, unit and meaning of every standard field.
 pub const ALL: &[(&str, &str, &str)] = &[
     (ELEVATION.name, ELEVATION.unit, ELEVATION.meaning),

@@ -26,7 +26,13 @@ pub(crate) type RawLink = (u32, f64, f64);
 impl Graph {
     /// From each node's links in counter-clockwise order (`start` has one entry more than there are nodes), whether they
     /// close a full turn, areas and status. Every link must be present from both ends.
-    pub(crate) fn new(start: Vec<u32>, links: &[RawLink], closed_fan: Vec<bool>, area: Vec<f64>, status: Vec<u8>) -> Self {
+    pub(crate) fn new(
+        start: Vec<u32>,
+        links: &[RawLink],
+        closed_fan: Vec<bool>,
+        area: Vec<f64>,
+        status: Vec<u8>,
+    ) -> Self {
         let to: Vec<u32> = links.iter().map(|l| l.0).collect();
         let row = |i: usize| start[i] as usize..start[i + 1] as usize;
         let mut back = vec![NO_SLOT; to.len()];
@@ -74,13 +80,11 @@ impl Domain for Graph {
     }
 
     fn neighbours(&self, node: usize) -> impl Iterator<Item = Link> {
-        self.row(node)
-            .filter(|&q| self.status[self.to[q] as usize] != MASKED)
-            .map(move |q| Link {
-                to: self.to[q] as usize,
-                distance: 1.0 / self.inverse_distance[q],
-                slot: (q - self.start[node] as usize) as u8,
-            })
+        self.row(node).filter(|&q| self.status[self.to[q] as usize] != MASKED).map(move |q| Link {
+            to: self.to[q] as usize,
+            distance: 1.0 / self.inverse_distance[q],
+            slot: (q - self.start[node] as usize) as u8,
+        })
     }
 
     #[inline]
@@ -114,7 +118,9 @@ impl Domain for Graph {
                 let z = elevation[node];
                 let row = self.row(node);
                 let (mut best, mut at) = (0.0, usize::MAX);
-                for (q, (&to, &inverse)) in self.to[row.clone()].iter().zip(&self.inverse_distance[row.clone()]).enumerate() {
+                for (q, (&to, &inverse)) in
+                    self.to[row.clone()].iter().zip(&self.inverse_distance[row.clone()]).enumerate()
+                {
                     let slope = (z - elevation[to as usize]) * inverse;
                     let steeper = slope > best;
                     best = if steeper { slope } else { best };

@@ -62,7 +62,11 @@ impl Grid {
         let count = |s: f64| (s / cell_size).round().max(1.0);
         let (nx, ny) = (count(size[0]), count(size[1]));
         if (nx + 1.0) * (ny + 1.0) > MOST_NODES as f64 {
-            return Err(Error::parameter("cell_size", format!("{cell_size} m"), &format!("at most {MOST_NODES} nodes in all")));
+            return Err(Error::parameter(
+                "cell_size",
+                format!("{cell_size} m"),
+                &format!("at most {MOST_NODES} nodes in all"),
+            ));
         }
         Self::new(Shape::new(ny as usize + 1, nx as usize + 1), [size[0] / nx, size[1] / ny])
     }

@@ -119,9 +119,7 @@ impl RasterDomain {
         for i in 0..valid.len() {
             if !valid[i] {
                 self.status[i] = MASKED;
-            } else if self.status[i] == INTERIOR
-                && (0..8).any(|k| self.step(i, k).is_some_and(|j| outside[j]))
-            {
+            } else if self.status[i] == INTERIOR && (0..8).any(|k| self.step(i, k).is_some_and(|j| outside[j])) {
                 self.status[i] = BASE_LEVEL;
             }
         }

@@ -7,7 +7,7 @@ mod simulation;
 #[cfg(test)]
 mod tests;
 
-pub use checkpoint::{is_for, pack, unpack};
 pub use crate::verb::{Budget, Outcome, Stopped};
+pub use checkpoint::{is_for, pack, unpack};
 pub use schedule::{Every, Stop};
 pub use simulation::{Simulation, View};

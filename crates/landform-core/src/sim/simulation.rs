@@ -141,7 +141,11 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     }
 
     /// Calls an observer now and then; [`ControlFlow::Break`] ends the run.
-    pub fn observe(mut self, every: Every, observer: impl FnMut(&View<T>) -> Result<ControlFlow<()>> + Send + 'a) -> Self {
+    pub fn observe(
+        mut self,
+        every: Every,
+        observer: impl FnMut(&View<T>) -> Result<ControlFlow<()>> + Send + 'a,
+    ) -> Self {
         self.observers.push((every, Instant::now(), Box::new(observer)));
         self
     }
@@ -302,7 +306,11 @@ impl<'a, T: Terrain> Simulation<'a, T> {
             };
             change = change.plus(process.step(&mut self.terrain, &at)?);
             if let Some((field, node)) = self.terrain.find_non_finite() {
-                return Err(Error::NonFinite { field: field.into(), node, after: format!("`{}` in step {}", process.name(), at.index) });
+                return Err(Error::NonFinite {
+                    field: field.into(),
+                    node,
+                    after: format!("`{}` in step {}", process.name(), at.index),
+                });
             }
         }
         let residual = before.map(|before| residual(&before, self.terrain.watched(), change.raised));

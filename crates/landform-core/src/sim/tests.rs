@@ -107,7 +107,8 @@ fn observers_are_called_on_their_times() {
 fn an_observer_can_end_a_run_and_a_guard_finds_numbers_that_are_not() {
     let mut sim = simulation().observe(Every::Steps(2), |_| Ok(ControlFlow::Break(())));
     assert_eq!(sim.run().unwrap().stopped, Stopped::ByObserver);
-    let mut sim = Simulation::new(terrain()).process(Jitter { amount: f64::MAX }).unwrap().dt(9.0).until(Stop::time(1e3));
+    let mut sim =
+        Simulation::new(terrain()).process(Jitter { amount: f64::MAX }).unwrap().dt(9.0).until(Stop::time(1e3));
     match sim.run().unwrap_err() {
         Error::NonFinite { after, .. } => assert!(after.contains("jitter")),
         other => panic!("{other}"),
@@ -116,7 +117,9 @@ fn an_observer_can_end_a_run_and_a_guard_finds_numbers_that_are_not() {
 
 #[test]
 fn clocks_that_cannot_run_are_refused() {
-    for (dt, stop) in [(0.0, Stop::time(1.0)), (f64::NAN, Stop::time(1.0)), (1.0, Stop::default()), (1.0, Stop::time(-1.0))] {
+    for (dt, stop) in
+        [(0.0, Stop::time(1.0)), (f64::NAN, Stop::time(1.0)), (1.0, Stop::default()), (1.0, Stop::time(-1.0))]
+    {
         assert!(Simulation::new(terrain()).process(Jitter::default()).unwrap().dt(dt).until(stop).run().is_err());
     }
 }

@@ -60,7 +60,8 @@ impl Mesh {
         }
         let graph = build_graph(&positions, &triangulation, bounds, edges)?;
         // delaunator's triangles run clockwise with y up.
-        let triangles = triangulation.triangles.chunks_exact(3).map(|t| [t[0] as u32, t[2] as u32, t[1] as u32]).collect();
+        let triangles =
+            triangulation.triangles.chunks_exact(3).map(|t| [t[0] as u32, t[2] as u32, t[1] as u32]).collect();
         let elevation = vec![0.0; positions.len()];
         let border = Arc::new(graph.status().to_vec());
         Ok(Self { positions, elevation, triangles, graph: Arc::new(graph), border, fields: Fields::default() })
@@ -96,9 +97,7 @@ fn hilbert_order(sites: &[[f64; 2]], [lo, hi]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
         let cell = |v: f64, lo: f64| ((v - lo) / side * 65_535.0) as u32;
         (hilbert_index(cell(p[0], lo[0]), cell(p[1], lo[1])), p)
     });
-    keyed.sort_unstable_by(|a, b| {
-        a.0.cmp(&b.0).then(a.1[0].total_cmp(&b.1[0])).then(a.1[1].total_cmp(&b.1[1]))
-    });
+    keyed.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1[0].total_cmp(&b.1[0])).then(a.1[1].total_cmp(&b.1[1])));
     keyed.into_iter().map(|k| k.1).collect()
 }
 
@@ -127,7 +126,8 @@ const EMPTY: usize = delaunator::EMPTY;
 fn half_cotangents(positions: &[[f64; 2]], triangles: &[usize]) -> Vec<f64> {
     parallel::map(triangles.len(), |e| {
         let base = e - e % 3;
-        let [a, b, c] = [triangles[e], triangles[base + (e + 1) % 3], triangles[base + (e + 2) % 3]].map(|i| positions[i]);
+        let [a, b, c] =
+            [triangles[e], triangles[base + (e + 1) % 3], triangles[base + (e + 2) % 3]].map(|i| positions[i]);
         let (ca, cb) = ([a[0] - c[0], a[1] - c[1]], [b[0] - c[0], b[1] - c[1]]);
         let cross = (ca[0] * cb[1] - ca[1] * cb[0]).abs();
         0.5 * (ca[0] * cb[0] + ca[1] * cb[1]) / cross
@@ -169,7 +169,11 @@ fn build_graph(
             return Err(Error::parameter("nodes", format!("two sites at ({x}, {y})"), "sites that differ"));
         }
         if degree > 254 {
-            return Err(Error::parameter("nodes", format!("a site with {degree} neighbours"), "at most 254 neighbours"));
+            return Err(Error::parameter(
+                "nodes",
+                format!("a site with {degree} neighbours"),
+                "at most 254 neighbours",
+            ));
         }
         // Clockwise from the library; counter-clockwise here.
         links[begin..].reverse();
@@ -343,7 +347,10 @@ mod tests {
         for i in (1..shuffled.len()).rev() {
             shuffled.swap(i, draws.below(i + 1));
         }
-        assert_eq!(Mesh::delaunay(&sites(), Edges::default()).unwrap(), Mesh::delaunay(&shuffled, Edges::default()).unwrap());
+        assert_eq!(
+            Mesh::delaunay(&sites(), Edges::default()).unwrap(),
+            Mesh::delaunay(&shuffled, Edges::default()).unwrap()
+        );
     }
 
     #[test]

@@ -164,7 +164,11 @@ impl<D: Dimension> Varying<D> {
                 if let (Some(a), Some(b)) = (raster.grid.georeference.epsg, terrain.epsg())
                     && a != b
                 {
-                    return Err(Error::parameter(name, format!("a raster in EPSG:{a}"), &format!("EPSG:{b}, as the terrain")));
+                    return Err(Error::parameter(
+                        name,
+                        format!("a raster in EPSG:{a}"),
+                        &format!("EPSG:{b}, as the terrain"),
+                    ));
                 }
                 let factor = factor::<D>(unit);
                 parallel::map(n, |i| factor * raster.elevation_at(terrain.position(i)))
@@ -327,7 +331,9 @@ impl<D: Dimension> Parts<D> {
             + usize::from(self.formula.is_some())
             + usize::from(self.field.is_some());
         if given != 1 {
-            return Err(E::custom(format!("{given} of `image`, `raster`, `formula`, `field` given; expected exactly one")));
+            return Err(E::custom(format!(
+                "{given} of `image`, `raster`, `formula`, `field` given; expected exactly one"
+            )));
         }
         if self.image.is_none() && (self.black.is_some() || self.white.is_some()) {
             return Err(E::custom("`black` and `white` go with `image`"));
@@ -338,7 +344,9 @@ impl<D: Dimension> Parts<D> {
             }
             return match (self.black, self.white) {
                 (Some(black), Some(white)) => Ok(Varying::Image { path, black, white }),
-                _ => Err(E::custom(format!("`image` needs `black` and `white`, for example black = \"{}\"", D::EXAMPLE))),
+                _ => {
+                    Err(E::custom(format!("`image` needs `black` and `white`, for example black = \"{}\"", D::EXAMPLE)))
+                }
             };
         }
         let unit = match (self.unit, &self.field) {

@@ -64,6 +64,10 @@ impl<T: Drawable> Measure<T> for MeasureSummary {
     fn measure(&self, terrain: &T) -> Result<Measured> {
         let summary = summary(terrain);
         let least = 4.0 * summary.area / summary.nodes.max(1) as f64;
-        Ok(Measured { hypsometry: hypsometry(terrain.raster()?.elevation()), slope_area: slope_area(terrain, least), summary })
+        Ok(Measured {
+            hypsometry: hypsometry(terrain.raster()?.elevation()),
+            slope_area: slope_area(terrain, least),
+            summary,
+        })
     }
 }

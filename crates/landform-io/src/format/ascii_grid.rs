@@ -21,7 +21,8 @@ pub(super) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<HeightField> {
         }
         let key = word.to_ascii_lowercase();
         words.next();
-        let value = words.next().and_then(number).ok_or_else(|| Error::format(NAME, format!("`{key}` has no number")))?;
+        let value =
+            words.next().and_then(number).ok_or_else(|| Error::format(NAME, format!("`{key}` has no number")))?;
         header.set(&key, value)?;
     }
     let (grid, nodata) = header.grid(bytes.len())?;
@@ -85,7 +86,10 @@ impl Header {
         let whole = |v: f64| v >= 1.0 && v.fract() == 0.0;
         // A value takes at least a digit and a separator.
         if !whole(cols) || !whole(rows) || cols * rows > length as f64 {
-            return Err(Error::format(NAME, format!("it claims {cols} x {rows} values, more than {length} bytes can hold")));
+            return Err(Error::format(
+                NAME,
+                format!("it claims {cols} x {rows} values, more than {length} bytes can hold"),
+            ));
         }
         if !(cell.is_finite() && cell > 0.0) {
             return Err(Error::format(NAME, format!("`cellsize` is {cell}; expected > 0")));

@@ -19,7 +19,9 @@ pub use geotiff::{Compression, DataType, GeotiffOptions};
 pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh};
 pub use picture::{encode_png, read_grey};
 pub use sidecar::Sidecar;
-pub use table::{MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFile, RasterFormat, load_raster, mesh_format, raster_format};
+pub use table::{
+    MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFile, RasterFormat, load_raster, mesh_format, raster_format,
+};
 
 use landform_core::{Error, Result};
 
@@ -29,13 +31,22 @@ fn most_unpacked(file_length: usize) -> u64 {
 }
 
 /// Refuses dimensions that a file of this length cannot fill.
-fn check_dimensions(format: &'static str, rows: u64, cols: u64, bytes_per_sample: u64, file_length: usize) -> Result<()> {
+fn check_dimensions(
+    format: &'static str,
+    rows: u64,
+    cols: u64,
+    bytes_per_sample: u64,
+    file_length: usize,
+) -> Result<()> {
     if rows == 0 || cols == 0 {
         return Err(Error::format(format, format!("it is {cols} x {rows} samples")));
     }
     let bytes = rows.checked_mul(cols).and_then(|n| n.checked_mul(bytes_per_sample));
     match bytes {
         Some(b) if b <= most_unpacked(file_length) && rows * cols < u64::from(u32::MAX) => Ok(()),
-        _ => Err(Error::format(format, format!("it claims {cols} x {rows} samples, more than {file_length} bytes can hold"))),
+        _ => Err(Error::format(
+            format,
+            format!("it claims {cols} x {rows} samples, more than {file_length} bytes can hold"),
+        )),
     }
 }

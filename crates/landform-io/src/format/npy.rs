@@ -30,7 +30,9 @@ pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightFiel
         (TypeChar::Int, 4) => npy.into_vec::<i32>().map_err(fail)?.into_iter().map(f64::from).collect(),
         (TypeChar::Uint, 1) => npy.into_vec::<u8>().map_err(fail)?.into_iter().map(f64::from).collect(),
         (TypeChar::Uint, 2) => npy.into_vec::<u16>().map_err(fail)?.into_iter().map(f64::from).collect(),
-        _ => return Err(Error::format(NAME, format!("its type {kind} is not read; expected f4, f8, i2, i4, u1 or u2"))),
+        _ => {
+            return Err(Error::format(NAME, format!("its type {kind} is not read; expected f4, f8, i2, i4, u1 or u2")));
+        }
     };
     let shape = Shape::new(rows as usize, cols as usize);
     if values.len() != shape.len() {
@@ -48,7 +50,8 @@ pub(super) fn write(file: &RasterFile) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let shape = [file.grid.shape.rows as u64, file.grid.shape.cols as u64];
     let fail = |e: std::io::Error| Error::format(NAME, e);
-    let mut writer = npyz::WriteOptions::new().default_dtype().shape(&shape).writer(&mut bytes).begin_nd().map_err(fail)?;
+    let mut writer =
+        npyz::WriteOptions::new().default_dtype().shape(&shape).writer(&mut bytes).begin_nd().map_err(fail)?;
     writer.extend(file.values.iter().map(|&v| v as f32)).map_err(fail)?;
     writer.finish().map_err(fail)?;
     Ok(bytes)

@@ -43,7 +43,11 @@ fn decode(bytes: &[u8], format: ImageFormat) -> Result<(Shape, Vec<u16>, f64)> {
 pub fn read_grey(bytes: &[u8]) -> Result<Image> {
     let format = if bytes.starts_with(b"P") { ImageFormat::Pnm } else { ImageFormat::Png };
     let (shape, samples, white) = decode(bytes, format)?;
-    Ok(Image { rows: shape.rows, cols: shape.cols, values: samples.into_iter().map(|v| f64::from(v) / white).collect() })
+    Ok(Image {
+        rows: shape.rows,
+        cols: shape.cols,
+        values: samples.into_iter().map(|v| f64::from(v) / white).collect(),
+    })
 }
 
 fn read(bytes: &[u8], sidecar: Option<&Sidecar>, format: ImageFormat) -> Result<HeightField> {

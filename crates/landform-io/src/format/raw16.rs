@@ -35,7 +35,10 @@ pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightFiel
 pub(super) fn quantize(file: &RasterFile) -> Vec<u16> {
     let (min, max) = file.range();
     let scale = if max > min { STEPS / (max - min) } else { 0.0 };
-    file.values.iter().map(|&v| if v.is_finite() { ((v - min) * scale).round().clamp(0.0, STEPS) as u16 } else { 0 }).collect()
+    file.values
+        .iter()
+        .map(|&v| if v.is_finite() { ((v - min) * scale).round().clamp(0.0, STEPS) as u16 } else { 0 })
+        .collect()
 }
 
 pub(super) fn write(file: &RasterFile) -> Result<Vec<u8>> {

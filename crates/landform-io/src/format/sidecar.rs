@@ -120,7 +120,8 @@ impl Sidecar {
 
     /// The values of raw numbers; NaN for nodata.
     pub fn values(sidecar: Option<&Self>, raw: impl Iterator<Item = f64>) -> Vec<f64> {
-        let (scale, offset, nodata) = sidecar.map_or((1.0, 0.0, None), |s| (s.scale.unwrap_or(1.0), s.offset.unwrap_or(0.0), s.nodata));
+        let (scale, offset, nodata) =
+            sidecar.map_or((1.0, 0.0, None), |s| (s.scale.unwrap_or(1.0), s.offset.unwrap_or(0.0), s.nodata));
         raw.map(|r| if Some(r) == nodata { f64::NAN } else { r * scale + offset }).collect()
     }
 }

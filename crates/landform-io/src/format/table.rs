@@ -53,13 +53,43 @@ pub struct RasterFormat {
 
 /// All formats of rasters.
 pub static RASTER_FORMATS: &[RasterFormat] = &[
-    RasterFormat { extensions: &["tif", "tiff"], name: "GeoTIFF", read: geotiff::read, write: geotiff::write, needs_sidecar: false },
-    RasterFormat { extensions: &["asc"], name: "ESRI ASCII grid", read: ascii_grid::read, write: ascii_grid::write, needs_sidecar: false },
+    RasterFormat {
+        extensions: &["tif", "tiff"],
+        name: "GeoTIFF",
+        read: geotiff::read,
+        write: geotiff::write,
+        needs_sidecar: false,
+    },
+    RasterFormat {
+        extensions: &["asc"],
+        name: "ESRI ASCII grid",
+        read: ascii_grid::read,
+        write: ascii_grid::write,
+        needs_sidecar: false,
+    },
     RasterFormat { extensions: &["exr"], name: "OpenEXR", read: exr::read, write: exr::write, needs_sidecar: true },
     RasterFormat { extensions: &["npy"], name: "NumPy array", read: npy::read, write: npy::write, needs_sidecar: true },
-    RasterFormat { extensions: &["png"], name: "PNG", read: picture::read_png, write: picture::write_png16, needs_sidecar: true },
-    RasterFormat { extensions: &["pgm", "ppm", "pnm"], name: "PNM", read: picture::read_pnm, write: picture::write_pgm16, needs_sidecar: true },
-    RasterFormat { extensions: &["r16", "raw"], name: "RAW16", read: raw16::read, write: raw16::write, needs_sidecar: true },
+    RasterFormat {
+        extensions: &["png"],
+        name: "PNG",
+        read: picture::read_png,
+        write: picture::write_png16,
+        needs_sidecar: true,
+    },
+    RasterFormat {
+        extensions: &["pgm", "ppm", "pnm"],
+        name: "PNM",
+        read: picture::read_pnm,
+        write: picture::write_pgm16,
+        needs_sidecar: true,
+    },
+    RasterFormat {
+        extensions: &["r16", "raw"],
+        name: "RAW16",
+        read: raw16::read,
+        write: raw16::write,
+        needs_sidecar: true,
+    },
 ];
 
 /// A format of meshes (written only).
@@ -135,13 +165,19 @@ pub fn load_raster(path: &Path) -> Result<HeightField> {
 }
 
 fn sidecar_paths(path: &Path) -> [PathBuf; 3] {
-    [path.with_extension("landform.json"), PathBuf::from(format!("{}.landform.json", path.display())), path.with_extension("json")]
+    [
+        path.with_extension("landform.json"),
+        PathBuf::from(format!("{}.landform.json", path.display())),
+        path.with_extension("json"),
+    ]
 }
 
 /// The error with the file's name in it.
 fn named(error: Error, path: &Path) -> Error {
     match error {
-        Error::Format { format, what, hint } => Error::Format { format, what: format!("{what} ({})", path.display()), hint },
+        Error::Format { format, what, hint } => {
+            Error::Format { format, what: format!("{what} ({})", path.display()), hint }
+        }
         Error::Empty { .. } => Error::Empty { what: path.display().to_string() },
         other => other,
     }

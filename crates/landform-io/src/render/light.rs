@@ -12,10 +12,13 @@ pub(super) fn sky_view(grid: &Grid, z: &[f64]) -> Vec<f64> {
         .map(|a| [math::cos(a), math::sin(a)])
         .collect();
     parallel::map(z.len(), |i| {
-        let open: f64 = directions.iter().map(|&d| {
-            let tangent = horizon(grid, z, i, d, 1.45);
-            1.0 / (1.0 + tangent * tangent)
-        }).sum();
+        let open: f64 = directions
+            .iter()
+            .map(|&d| {
+                let tangent = horizon(grid, z, i, d, 1.45);
+                1.0 / (1.0 + tangent * tangent)
+            })
+            .sum();
         open / AZIMUTHS as f64
     })
 }

@@ -48,8 +48,11 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
             return hex(NOTHING);
         }
         let under_sea = has_sea && z[i] < 0.0;
-        let mut colour =
-            if under_sea { sea((z[i] / lo).sqrt()) } else { style.ramp.at((z[i] - land_low) / (hi - land_low).max(1e-9)) };
+        let mut colour = if under_sea {
+            sea((z[i] / lo).sqrt())
+        } else {
+            style.ramp.at((z[i] - land_low) / (hi - land_low).max(1e-9))
+        };
         colour = scale(colour, if under_sea { 0.5 + 0.5 * shade[i] } else { shade[i] });
         if let Some(water) = &water
             && !under_sea

@@ -177,7 +177,8 @@ impl Scene {
         let extent = grid.extent().map(|e| e.max(1e-6));
         let finite = field.elevation().iter().filter(|z| z.is_finite());
         let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
-        let ground: Vec<f64> = field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
+        let ground: Vec<f64> =
+            field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
         let depth = water_depth(field, lo, hi);
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i] * view.exaggeration).collect();
         let (low, high) = (lo * view.exaggeration, hi * view.exaggeration);
@@ -363,7 +364,11 @@ impl Scene {
     /// The cut side of the block: layers of rock.
     fn wall(&self, p: Vector) -> Rgb {
         let on_x = p[0] <= 1e-6 * self.extent[0] || p[0] >= self.extent[0] * (1.0 - 1e-6);
-        let normal = if on_x { [if p[0] > 0.5 * self.extent[0] { 1.0 } else { -1.0 }, 0.0, 0.0] } else { [0.0, if p[1] > 0.5 * self.extent[1] { 1.0 } else { -1.0 }, 0.0] };
+        let normal = if on_x {
+            [if p[0] > 0.5 * self.extent[0] { 1.0 } else { -1.0 }, 0.0, 0.0]
+        } else {
+            [0.0, if p[1] > 0.5 * self.extent[1] { 1.0 } else { -1.0 }, 0.0]
+        };
         let scale_length = 0.02 * (self.extent[0] + self.extent[1]);
         let along_wall = if on_x { p[1] } else { p[0] };
         let wave = fbm(Seed(11), along_wall / (6.0 * scale_length), 0.3, 4, 2.0, 0.5);
@@ -395,7 +400,12 @@ struct Paint {
 impl Paint {
     fn new(field: &HeightField, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
         let low = if lo < 0.0 && hi > 0.0 { 0.0 } else { lo };
-        Self { river: waters(field).river, low: low * exaggeration, relief: ((hi - low) * exaggeration).max(1e-9), exaggeration }
+        Self {
+            river: waters(field).river,
+            low: low * exaggeration,
+            relief: ((hi - low) * exaggeration).max(1e-9),
+            exaggeration,
+        }
     }
 
     fn ground(&self, grid: &Grid, z: &[f64], i: usize) -> Rgb {

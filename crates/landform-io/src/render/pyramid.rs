@@ -13,7 +13,9 @@ impl Pyramid {
         let cells = Shape::new((shape.rows - 1).max(1), (shape.cols - 1).max(1));
         let base = parallel::map(cells.len(), |i| {
             let cell = cells.cell(i);
-            let at = |r: usize, c: usize| z[shape.index((cell.row + r).min(shape.rows - 1), (cell.col + c).min(shape.cols - 1))];
+            let at = |r: usize, c: usize| {
+                z[shape.index((cell.row + r).min(shape.rows - 1), (cell.col + c).min(shape.cols - 1))]
+            };
             // Rounding to f32 must not lower the bound.
             (at(0, 0).max(at(0, 1)).max(at(1, 0)).max(at(1, 1)) as f32).next_up()
         });

@@ -29,7 +29,10 @@ pub fn report<T: NodeSurface>(landscape: &Landscape<'_, T>, raster: &HeightField
     let view = View { width: PICTURE_WIDTH, height: PICTURE_WIDTH * 9 / 16, ..View::default() };
     let map = MapStyle { size: PICTURE_WIDTH, ..MapStyle::default() };
     let body = [
-        figure(&perspective(raster, &view), "Perspective view from the south-south-west, sun in the west-north-west, no exaggeration.")?,
+        figure(
+            &perspective(raster, &view),
+            "Perspective view from the south-south-west, sun in the west-north-west, no exaggeration.",
+        )?,
         "<h2>Numbers</h2>".into(),
         numbers(&summary, &hypsometry, &rivers),
         "<h2>Map</h2>".into(),
@@ -100,7 +103,8 @@ fn history(events: &[Event], seed: u64) -> String {
     let mut items = String::new();
     for event in events {
         let outcome = event.outcome.as_ref().map(outcome_text).unwrap_or_default();
-        items += &format!("<li><b>{}</b> <code>{}</code>{outcome}</li>", escape(&event.stage), escape(&event.parameters));
+        items +=
+            &format!("<li><b>{}</b> <code>{}</code>{outcome}</li>", escape(&event.stage), escape(&event.parameters));
     }
     format!("<p>Seed {seed}, landform {}.</p><ol>{items}</ol>", env!("CARGO_PKG_VERSION"))
 }

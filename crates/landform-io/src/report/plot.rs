@@ -39,18 +39,37 @@ impl Plot {
         for t in ticks(x0, x1, self.x.logarithmic) {
             let x = px(t);
             write!(svg, "<line class=\"grid\" x1=\"{x:.1}\" y1=\"{TOP}\" x2=\"{x:.1}\" y2=\"{bottom}\"/>").ok();
-            write!(svg, "<text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{}</text>", bottom + 16.0, label(t, &self.x)).ok();
+            write!(
+                svg,
+                "<text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                bottom + 16.0,
+                label(t, &self.x)
+            )
+            .ok();
         }
         for t in ticks(y0, y1, self.y.logarithmic) {
             let y = py(t);
             write!(svg, "<line class=\"grid\" x1=\"{LEFT}\" y1=\"{y:.1}\" x2=\"{right}\" y2=\"{y:.1}\"/>").ok();
-            write!(svg, "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>", LEFT - 6.0, y + 4.0, label(t, &self.y)).ok();
+            write!(
+                svg,
+                "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+                LEFT - 6.0,
+                y + 4.0,
+                label(t, &self.y)
+            )
+            .ok();
         }
         write!(svg, "<path class=\"axis\" d=\"M{LEFT} {TOP}V{bottom}H{right}\"/>").ok();
         let (middle_x, middle_y) = ((LEFT + right) / 2.0, (TOP + bottom) / 2.0);
         write!(svg, "<text x=\"{middle_x}\" y=\"18\" text-anchor=\"middle\">{}</text>", self.title).ok();
-        write!(svg, "<text x=\"{middle_x}\" y=\"{}\" text-anchor=\"middle\">{}</text>", HEIGHT - 8.0, self.x.label).ok();
-        write!(svg, "<text transform=\"translate(14 {middle_y}) rotate(-90)\" text-anchor=\"middle\">{}</text>", self.y.label).ok();
+        write!(svg, "<text x=\"{middle_x}\" y=\"{}\" text-anchor=\"middle\">{}</text>", HEIGHT - 8.0, self.x.label)
+            .ok();
+        write!(
+            svg,
+            "<text transform=\"translate(14 {middle_y}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            self.y.label
+        )
+        .ok();
         if self.line {
             let path: Vec<String> = points.iter().map(|p| format!("{:.1} {:.1}", px(p.0), py(p.1))).collect();
             write!(svg, "<path class=\"line\" d=\"M{}\"/>", path.join("L")).ok();

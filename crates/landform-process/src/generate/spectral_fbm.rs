@@ -76,8 +76,7 @@ impl Generator<HeightField> for SpectralFbm {
         let n = self.transform_size()?;
         let surface = synthesize(n, self.hurst, context.seed);
         let shape = grid.shape;
-        let mut z: Vec<f64> =
-            parallel::map(grid.len(), |i| surface[shape.cell(i).row * n + shape.cell(i).col]);
+        let mut z: Vec<f64> = parallel::map(grid.len(), |i| surface[shape.cell(i).row * n + shape.cell(i).col]);
         let mean = parallel::sum(z.len(), |i| z[i]) / z.len() as f64;
         let variance = parallel::sum(z.len(), |i| (z[i] - mean) * (z[i] - mean)) / z.len() as f64;
         let scale = if variance > 0.0 { self.deviation.si() / variance.sqrt() } else { 0.0 };
@@ -162,7 +161,11 @@ mod tests {
     fn deviation_and_mean_are_those_asked_for() {
         use landform_core::terrain::NodeSurface;
         use landform_core::verb::NoMaps;
-        let params = SpectralFbm { size: [Length::of(900.0), Length::of(500.0)], elevation: Length::of(40.0), ..SpectralFbm::default() };
+        let params = SpectralFbm {
+            size: [Length::of(900.0), Length::of(500.0)],
+            elevation: Length::of(40.0),
+            ..SpectralFbm::default()
+        };
         let field = params.generate(&Context { seed: Seed(2), maps: &NoMaps }).unwrap();
         let z = field.elevation();
         let mean = z.iter().sum::<f64>() / z.len() as f64;

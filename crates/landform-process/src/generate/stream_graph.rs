@@ -77,8 +77,12 @@ impl Generator<Mesh> for StreamGraph {
         let spacing = self.spacing.map_or_else(|| spacing_for_count(size, self.nodes), Length::si);
         let sites = poisson_disk(size, spacing, context.seed.named("sites"))?;
         let edge = |side| if self.open.contains(&side) { Edge::Open } else { Edge::Closed };
-        let edges =
-            Edges { north: edge(Side::North), east: edge(Side::East), south: edge(Side::South), west: edge(Side::West) };
+        let edges = Edges {
+            north: edge(Side::North),
+            east: edge(Side::East),
+            south: edge(Side::South),
+            west: edge(Side::West),
+        };
         let mut mesh = Mesh::delaunay(&sites, edges)?;
         let domain = mesh.domain();
         let status = landform_core::grid::Domain::status(&*domain);

@@ -167,7 +167,11 @@ impl System {
             product = next;
             parallel::update(&mut direction, |i, v| *v = residual[i] / diagonal[i] + beta * *v);
         }
-        Err(Error::NotConverged { what: "linear diffusion".into(), iterations: MOST_ITERATIONS, residual: (product / start).sqrt() })
+        Err(Error::NotConverged {
+            what: "linear diffusion".into(),
+            iterations: MOST_ITERATIONS,
+            residual: (product / start).sqrt(),
+        })
     }
 }
 
@@ -196,8 +200,11 @@ mod tests {
         let field = HeightField::new(grid.clone(), (0..grid.len()).map(wave).collect()).unwrap();
         let rate = 0.01 / YEAR * math::pow(std::f64::consts::PI / length, 2.0);
         let duration = 1.0 / rate;
-        let mut sim =
-            Simulation::new(field).process(LinearDiffusion::default()).unwrap().dt(duration / 400.0).until(Stop::time(duration));
+        let mut sim = Simulation::new(field)
+            .process(LinearDiffusion::default())
+            .unwrap()
+            .dt(duration / 400.0)
+            .until(Stop::time(duration));
         let outcome = sim.run().unwrap();
         let peak = sim.terrain().elevation()[n + n / 2];
         assert!((peak / (10.0 * math::exp(-1.0)) - 1.0).abs() < 2e-3, "{peak}");
@@ -210,7 +217,8 @@ mod tests {
         let mut z = vec![0.0; 441];
         z[220] = 100.0;
         let field = HeightField::new(grid, z).unwrap();
-        let mut sim = Simulation::new(field).process(LinearDiffusion::default()).unwrap().dt(1e4 * KYR).until(Stop::steps(1));
+        let mut sim =
+            Simulation::new(field).process(LinearDiffusion::default()).unwrap().dt(1e4 * KYR).until(Stop::steps(1));
         sim.run().unwrap();
         assert!(sim.terrain().elevation().iter().all(|&z| (-1e-9..=100.0).contains(&z)));
     }
@@ -218,7 +226,8 @@ mod tests {
     #[test]
     fn uplift_and_creep_make_the_parabola_on_a_mesh() {
         // VP5: h = U (l² − x²)/(2D) between two open sides.
-        let sites = landform_core::algo::sampling::poisson_disk([1000.0, 300.0], 15.0, landform_core::random::Seed(2)).unwrap();
+        let sites =
+            landform_core::algo::sampling::poisson_disk([1000.0, 300.0], 15.0, landform_core::random::Seed(2)).unwrap();
         let edges = Edges { north: Edge::Closed, south: Edge::Closed, ..Edges::default() };
         let mesh = Mesh::delaunay(&sites, edges).unwrap();
         let uplift = crate::uplift::Uplift { rate: landform_core::units::Rate::of(0.1).into() };

@@ -5,8 +5,8 @@
 
 use landform_core::algo::flow::Flow;
 use landform_core::grid::Domain;
-use landform_core::verb::Resolved;
 use landform_core::math;
+use landform_core::verb::Resolved;
 
 /// The law for one step.
 pub(super) struct Law {

@@ -112,8 +112,10 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             None => None,
         };
         let status = domain.status();
-        let base: Vec<_> =
-            (0..status.len()).filter(|&i| status[i] == BASE_LEVEL).map(|i| (i as u32, terrain.elevation()[i])).collect();
+        let base: Vec<_> = (0..status.len())
+            .filter(|&i| status[i] == BASE_LEVEL)
+            .map(|i| (i as u32, terrain.elevation()[i]))
+            .collect();
         if base.is_empty() {
             return Err(Error::parameter("outlets", "without a single node", "at least one node where water leaves"));
         }

@@ -32,7 +32,12 @@ fn mesh(nodes: usize) -> Mesh {
 }
 
 fn law(m: f64, n: f64) -> StreamPower {
-    StreamPower { erodibility: Erodibility::of(K).into(), area_exponent: m, slope_exponent: n, ..StreamPower::default() }
+    StreamPower {
+        erodibility: Erodibility::of(K).into(),
+        area_exponent: m,
+        slope_exponent: n,
+        ..StreamPower::default()
+    }
 }
 
 fn uplift(mm_per_year: f64) -> Uplift {
@@ -41,7 +46,8 @@ fn uplift(mm_per_year: f64) -> Uplift {
 
 fn steady<T: NodeSurface>(terrain: T, rivers: StreamPower, dt: f64) -> T {
     let stop = Stop::steady(1e-13).or_steps(2_000);
-    let mut sim = Simulation::new(terrain).process(uplift(1e3 * U)).unwrap().process(rivers).unwrap().dt(dt).until(stop);
+    let mut sim =
+        Simulation::new(terrain).process(uplift(1e3 * U)).unwrap().process(rivers).unwrap().dt(dt).until(stop);
     let outcome = sim.run().unwrap();
     assert_eq!(outcome.stopped, Stopped::Steady, "{outcome:?}");
     assert!(outcome.budget.imbalance() < 1e-9);
@@ -179,8 +185,13 @@ fn without_the_clamp_the_highest_point_grows_as_uplift() {
     // SP7
     let height = |u: f64| {
         let stop = Stop::steady(1e-6).or_steps(1_000);
-        let mut sim =
-            Simulation::new(mesh(2_000)).process(uplift(u)).unwrap().process(law(0.5, 1.0)).unwrap().dt(2.0 * MYR).until(stop);
+        let mut sim = Simulation::new(mesh(2_000))
+            .process(uplift(u))
+            .unwrap()
+            .process(law(0.5, 1.0))
+            .unwrap()
+            .dt(2.0 * MYR)
+            .until(stop);
         sim.run().unwrap();
         sim.terrain().elevation().iter().copied().fold(0.0, f64::max)
     };
@@ -213,7 +224,9 @@ fn rain_shifts_discharge_and_uniform_rain_changes_nothing() {
     };
     let (none, uniform, east) = (run(None), run(Some("2")), run(Some("0.2 + 1.6*u")));
     assert!(none.iter().zip(&uniform).all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs()));
-    let mean = |z: &[f64], west: bool| z.iter().enumerate().filter(|(i, _)| (i % 30 < 15) == west).map(|(_, z)| z).sum::<f64>();
+    let mean = |z: &[f64], west: bool| {
+        z.iter().enumerate().filter(|(i, _)| (i % 30 < 15) == west).map(|(_, z)| z).sum::<f64>()
+    };
     assert!(mean(&east, true) > 1.2 * mean(&east, false), "the dry west stands higher");
 }
 

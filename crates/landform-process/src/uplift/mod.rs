@@ -100,7 +100,8 @@ mod tests {
     fn inner_nodes_rise_and_base_levels_stay() {
         let grid = Grid::new(Shape::new(5, 5), [10.0, 10.0]).unwrap();
         let field = HeightField::new(grid, vec![1.0; 25]).unwrap();
-        let mut sim = Simulation::new(field).process(Uplift::default()).unwrap().dt(30.0 * YEAR).until(Stop::time(100.0 * YEAR));
+        let mut sim =
+            Simulation::new(field).process(Uplift::default()).unwrap().dt(30.0 * YEAR).until(Stop::time(100.0 * YEAR));
         let outcome = sim.run().unwrap();
         assert!((sim.terrain().elevation()[12] - 1.05).abs() < 1e-12);
         assert_eq!(sim.terrain().elevation()[0], 1.0);

@@ -88,7 +88,14 @@ impl Cache {
 /// and the program.
 pub(super) fn key(before: &str, entry: &Entry, folder: &Path, salt: &str) -> String {
     let mut hash = Sha256::new();
-    for text in [before, &entry.name, &entry.seed.0.to_string(), &entry.work.normalized().to_string(), salt, env!("CARGO_PKG_VERSION")] {
+    for text in [
+        before,
+        &entry.name,
+        &entry.seed.0.to_string(),
+        &entry.work.normalized().to_string(),
+        salt,
+        env!("CARGO_PKG_VERSION"),
+    ] {
         hash.update((text.len() as u64).to_le_bytes());
         hash.update(text);
     }

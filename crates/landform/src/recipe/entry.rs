@@ -152,7 +152,11 @@ impl EntryReader<'_> {
             };
             let stage = self.find(&name, &name_span, kind)?;
             if stage.verb != Verb::Process {
-                return Err(self.error(&name_span, format!("`{name}` is no process: it cannot stand in `evolve`"), None));
+                return Err(self.error(
+                    &name_span,
+                    format!("`{name}` is no process: it cannot stand in `evolve`"),
+                    None,
+                ));
             }
             self.check(stage, &item)?;
             parts.push((stage, item.json()));

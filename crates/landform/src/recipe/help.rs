@@ -65,7 +65,8 @@ fn list(properties: Vec<(String, Json)>, defaults: &Json) -> Vec<Parameter> {
         .into_iter()
         .map(|(name, property)| {
             let inner = unwrap_option(&property);
-            let unit = find(inner, "x-unit").and_then(Json::as_str).filter(|u| *u != "1").unwrap_or_default().to_string();
+            let unit =
+                find(inner, "x-unit").and_then(Json::as_str).filter(|u| *u != "1").unwrap_or_default().to_string();
             let varying = find(inner, "x-varying").is_some();
             let meaning = property["description"].as_str().unwrap_or_default().replace('\n', " ");
             let default = match &defaults[&name] {
@@ -79,7 +80,12 @@ fn list(properties: Vec<(String, Json)>, defaults: &Json) -> Vec<Parameter> {
 
 /// The schema behind an optional value or a list.
 fn unwrap_option(property: &Json) -> &Json {
-    property.get("anyOf").and_then(Json::as_array).and_then(|a| a.first()).filter(|_| find(property, "x-unit").is_none()).unwrap_or(property)
+    property
+        .get("anyOf")
+        .and_then(Json::as_array)
+        .and_then(|a| a.first())
+        .filter(|_| find(property, "x-unit").is_none())
+        .unwrap_or(property)
 }
 
 fn find<'a>(property: &'a Json, key: &str) -> Option<&'a Json> {
@@ -186,7 +192,8 @@ fn lift(stage: &Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json
             schema["properties"]["clock"] = json!({ "$ref": "#/$defs/clock" });
         }
     }
-    schema["required"] = if own_stage && stage.verb == Verb::Process { json!(["use", "clock"]) } else { json!(["use"]) };
+    schema["required"] =
+        if own_stage && stage.verb == Verb::Process { json!(["use", "clock"]) } else { json!(["use"]) };
     schema
 }
 

@@ -93,7 +93,9 @@ impl Recipe {
         let stages = match root.remove("stage") {
             Some(entry) => match entry.node.value {
                 Value::Array(items) if items.len() <= MOST_STAGES => items,
-                Value::Array(_) => return Err(reader.error(&entry.span, format!("more than {MOST_STAGES} stages"), None)),
+                Value::Array(_) => {
+                    return Err(reader.error(&entry.span, format!("more than {MOST_STAGES} stages"), None));
+                }
                 _ => return Err(reader.error(&entry.span, "`stage` is not a list", Some("write [[stage]]".into()))),
             },
             None => Vec::new(),
@@ -110,9 +112,9 @@ impl Recipe {
 fn read_seed(reader: &EntryReader, root: &Node) -> Result<u64> {
     match root.get("seed").map(|e| (&e.node.value, &e.node.span)) {
         None => Ok(0),
-        Some((Value::Leaf(Json::Number(n)), span)) => n
-            .as_u64()
-            .ok_or_else(|| reader.error(span, format!("`seed` is {n}; expected a whole number from 0"), None)),
+        Some((Value::Leaf(Json::Number(n)), span)) => {
+            n.as_u64().ok_or_else(|| reader.error(span, format!("`seed` is {n}; expected a whole number from 0"), None))
+        }
         Some((_, span)) => Err(reader.error(span, "`seed` is not a whole number", None)),
     }
 }
@@ -125,7 +127,11 @@ fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec
     for mut node in stages {
         let span = node.span.clone();
         let Some((name, name_span)) = reader.take_text(&mut node, "use")? else {
-            return Err(reader.error(&span, "this stage has no `use`", Some("say which stage it is: use = \"...\"".into())));
+            return Err(reader.error(
+                &span,
+                "this stage has no `use`",
+                Some("say which stage it is: use = \"...\"".into()),
+            ));
         };
         let label = reader.take_text(&mut node, "label")?;
         let from = reader.take_text(&mut node, "from")?;
@@ -136,7 +142,8 @@ fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec
             })?);
         }
         let work = reader.work(&name, &name_span, &mut node, kind)?;
-        let after = work.parts().last().map_or("", |(s, _)| if s.verb.changes_terrain() { s.to } else { kind.unwrap_or("") });
+        let after =
+            work.parts().last().map_or("", |(s, _)| if s.verb.changes_terrain() { s.to } else { kind.unwrap_or("") });
         kind = Some(after);
         let count = counts.entry(name.clone()).or_default();
         *count += 1;

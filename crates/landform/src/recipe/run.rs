@@ -110,7 +110,8 @@ impl Recipe {
     /// [`Error::Stage`] with what went wrong in it.
     pub fn run(&self, out: &mut dyn Output, options: &Options) -> Result<Ran> {
         let cache = options.cache.as_deref().map(Cache::new);
-        let runner = Runner { recipe: self, options, cache, maps: FileMaps::new(&self.folder), damaged: Default::default() };
+        let runner =
+            Runner { recipe: self, options, cache, maps: FileMaps::new(&self.folder), damaged: Default::default() };
         loop {
             let plan = self.plan(options.cache.as_deref(), &options.salt)?;
             let ran = runner.run(&plan, out);
@@ -143,13 +144,22 @@ impl Runner<'_> {
         for (k, (entry, planned)) in self.recipe.entries.iter().zip(&plan.stages).enumerate() {
             let fail = |source| match source {
                 done @ Error::Stage { .. } => done,
-                source => Error::Stage { index: k + 1, name: entry.label.clone().unwrap_or(entry.name.clone()), source: Box::new(source) },
+                source => Error::Stage {
+                    index: k + 1,
+                    name: entry.label.clone().unwrap_or(entry.name.clone()),
+                    source: Box::new(source),
+                },
             };
             if let Some(slot) = entry.from.as_deref().and_then(|f| labelled.get(f)) {
                 current = slot.clone();
             }
             let known = if planned.cached { self.known(&planned.key, &current) } else { None };
-            (self.options.progress)(Signal::Stage { index: k + 1, of, name: planned.name.clone(), cached: known.is_some() });
+            (self.options.progress)(Signal::Stage {
+                index: k + 1,
+                of,
+                name: planned.name.clone(),
+                cached: known.is_some(),
+            });
             if self.options.cancel.is_cancelled() {
                 return Ok(Ran::Interrupted(None));
             }
@@ -201,7 +211,9 @@ impl Runner<'_> {
         let terrain = match &entry.work {
             Work::Evolve(clock, parts) => {
                 let before = self.terrain(current)?;
-                let Some((terrain, ended)) = self.evolve(&before, clock, parts, entry.seed, key)? else { return Ok(None) };
+                let Some((terrain, ended)) = self.evolve(&before, clock, parts, entry.seed, key)? else {
+                    return Ok(None);
+                };
                 (self.options.progress)(Signal::Outcome(ended));
                 outcome = Some(ended);
                 terrain
@@ -299,7 +311,12 @@ impl Runner<'_> {
                     Some(most) => Some(part.unwrap_or(0.0).max(view.steps as f64 / most as f64)),
                     None => part,
                 };
-                (self.options.progress)(Signal::Step { steps: view.steps, time: view.time, part, residual: view.residual });
+                (self.options.progress)(Signal::Step {
+                    steps: view.steps,
+                    time: view.time,
+                    part,
+                    residual: view.residual,
+                });
                 Ok(ControlFlow::Continue(()))
             });
         if let Some(path) = &self.options.checkpoint {
@@ -321,12 +338,19 @@ impl Runner<'_> {
         Ok(Some((simulation.into_terrain().wrap(), outcome)))
     }
 
-    fn resume<'s, T: Terrain>(&self, simulation: Simulation<'s, T>, key: &str, path: &Path) -> Result<Simulation<'s, T>> {
+    fn resume<'s, T: Terrain>(
+        &self,
+        simulation: Simulation<'s, T>,
+        key: &str,
+        path: &Path,
+    ) -> Result<Simulation<'s, T>> {
         let bytes = landform_io::files::read_whole(path)?;
         if landform_core::sim::is_for("checkpoint", key, &bytes) {
             return simulation.resume(key, &bytes);
         }
-        (self.options.progress)(Signal::Note("the checkpoint is of another stage or recipe; this stage starts afresh".into()));
+        (self.options.progress)(Signal::Note(
+            "the checkpoint is of another stage or recipe; this stage starts afresh".into(),
+        ));
         Ok(simulation)
     }
 }

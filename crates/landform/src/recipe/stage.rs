@@ -104,9 +104,18 @@ pub(super) struct AnyLandscape<'a> {
 /// What to do.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Act {
-    Generate { make: fn(&Json, &Context) -> Result<AnyTerrain>, estimate: fn(&Json, &Context) -> Result<Estimate> },
-    Edit { edit: fn(&Json, &mut AnyTerrain, &Context) -> Result<()>, estimate: fn(&Json, Estimate) -> Result<Estimate> },
-    Convert { convert: fn(&Json, &AnyTerrain) -> Result<AnyTerrain>, estimate: fn(&Json, Estimate) -> Result<Estimate> },
+    Generate {
+        make: fn(&Json, &Context) -> Result<AnyTerrain>,
+        estimate: fn(&Json, &Context) -> Result<Estimate>,
+    },
+    Edit {
+        edit: fn(&Json, &mut AnyTerrain, &Context) -> Result<()>,
+        estimate: fn(&Json, Estimate) -> Result<Estimate>,
+    },
+    Convert {
+        convert: fn(&Json, &AnyTerrain) -> Result<AnyTerrain>,
+        estimate: fn(&Json, Estimate) -> Result<Estimate>,
+    },
     /// Adds itself to a `Simulation<T>`.
     Process(fn(&Json, &mut dyn Any) -> Result<()>),
     /// Path and value.
@@ -182,7 +191,9 @@ impl Stage {
     pub(super) const fn process<P: Process<T>, T: Held>() -> Self {
         let act = Act::Process(|json, simulation| match simulation.downcast_mut::<Simulation<'static, T>>() {
             Some(simulation) => simulation.add(params::<P>(json)?),
-            None => Err(Error::Unsupported { what: P::NAME.into(), on: "another terrain".into(), supports: T::KIND.into() }),
+            None => {
+                Err(Error::Unsupported { what: P::NAME.into(), on: "another terrain".into(), supports: T::KIND.into() })
+            }
         });
         Self { reads: P::READS, writes: P::WRITES, ..Self::new::<P>(Verb::Process, Some(T::KIND), T::KIND, act) }
     }

@@ -34,7 +34,8 @@ pub fn gradient(grid: &Grid, values: &[f64], node: usize) -> Gradient {
     };
     let straight = |dr: isize, dc: isize| at(dr, dc).or_else(|| at(-dr, -dc).map(|o| 2.0 * z - o)).unwrap_or(z);
     let [n, e, s, w] = [straight(-1, 0), straight(0, 1), straight(1, 0), straight(0, -1)];
-    let corner = |dr: isize, dc: isize, plane: f64| at(dr, dc).or_else(|| at(-dr, -dc).map(|o| 2.0 * z - o)).unwrap_or(plane);
+    let corner =
+        |dr: isize, dc: isize, plane: f64| at(dr, dc).or_else(|| at(-dr, -dc).map(|o| 2.0 * z - o)).unwrap_or(plane);
     let [nw, ne] = [corner(-1, -1, n + w - z), corner(-1, 1, n + e - z)];
     let [sw, se] = [corner(1, -1, s + w - z), corner(1, 1, s + e - z)];
     if z.is_nan() {

@@ -8,7 +8,13 @@ const DONE: u8 = u8::MAX;
 ///
 /// From each node without waiting donors the chain of receivers is followed as long as it runs through nodes that the scan
 /// has passed; so the order keeps to neighbours in memory.
-pub(super) fn order_and_accumulate(receiver: &[u32], slot: &[u8], donors: &mut [u8], order: &mut [u32], amount: &mut [f64]) {
+pub(super) fn order_and_accumulate(
+    receiver: &[u32],
+    slot: &[u8],
+    donors: &mut [u8],
+    order: &mut [u32],
+    amount: &mut [f64],
+) {
     let n = receiver.len();
     donors.fill(0);
     for i in 0..n {

@@ -24,7 +24,13 @@ pub(super) struct Pass {
 }
 
 /// Passes in order of nodes. **Cost** O(nodes), most of it reading `saddle`.
-pub(super) fn find_passes<D: Domain>(domain: &D, elevation: &[f64], saddle: &[u8], slot: &[u8], label: &[u32]) -> Vec<Pass> {
+pub(super) fn find_passes<D: Domain>(
+    domain: &D,
+    elevation: &[f64],
+    saddle: &[u8],
+    slot: &[u8],
+    label: &[u32],
+) -> Vec<Pass> {
     let pieces = parallel::map_pieces(domain.len(), |piece| {
         let mut found = Vec::new();
         // In a landscape that has almost drained most saddles lie within one basin.

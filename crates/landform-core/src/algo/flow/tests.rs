@@ -43,14 +43,22 @@ fn check<D: Domain>(domain: &D, z: &[f64]) {
     assert!((at_outlets / total - 1.0).abs() < 1e-12);
     let (level, flood) = (flow.water_level(z), flood_levels(domain, z));
     for i in 0..z.len() {
-        assert!(level[i] == flood[i] || (level[i].is_nan() && flood[i].is_nan()), "level at {i}: {} {}", level[i], flood[i]);
+        assert!(
+            level[i] == flood[i] || (level[i].is_nan() && flood[i].is_nan()),
+            "level at {i}: {} {}",
+            level[i],
+            flood[i]
+        );
     }
 }
 
 #[test]
 fn every_node_of_a_raster_drains_and_levels_equal_priority_flood() {
     for seed in 0..6 {
-        for edges in [Edges::default(), Edges { north: Edge::Closed, east: Edge::Periodic, west: Edge::Periodic, south: Edge::Open }] {
+        for edges in [
+            Edges::default(),
+            Edges { north: Edge::Closed, east: Edge::Periodic, west: Edge::Periodic, south: Edge::Open },
+        ] {
             let domain = raster(37, 53, edges);
             check(&domain, &rough(37 * 53, seed));
             check(&domain, &terraced(37 * 53, seed));
@@ -155,7 +163,8 @@ fn the_numbering_of_sites_does_not_change_a_bit() {
     let sites = poisson_disk([800.0, 800.0], 20.0, Seed(5)).unwrap();
     let run = |sites: &[[f64; 2]]| {
         let mesh = Mesh::delaunay(sites, Edges::default()).unwrap();
-        let z: Vec<f64> = mesh.positions().iter().map(|p| Seed((p[0] * 1e6) as u64).uniform((p[1] * 1e6) as u64)).collect();
+        let z: Vec<f64> =
+            mesh.positions().iter().map(|p| Seed((p[0] * 1e6) as u64).uniform((p[1] * 1e6) as u64)).collect();
         let mut flow = Flow::new();
         let mut area = node_areas(&*mesh.domain());
         flow.route(mesh.graph(), &z, &mut area);

@@ -12,8 +12,22 @@ const DIRECTIONS: [[f64; 2]; 16] = {
     const B: f64 = 0.382_683_432_365_089_8;
     const C: f64 = std::f64::consts::FRAC_1_SQRT_2;
     [
-        [1.0, 0.0], [A, B], [C, C], [B, A], [0.0, 1.0], [-B, A], [-C, C], [-A, B],
-        [-1.0, 0.0], [-A, -B], [-C, -C], [-B, -A], [0.0, -1.0], [B, -A], [C, -C], [A, -B],
+        [1.0, 0.0],
+        [A, B],
+        [C, C],
+        [B, A],
+        [0.0, 1.0],
+        [-B, A],
+        [-C, C],
+        [-A, B],
+        [-1.0, 0.0],
+        [-A, -B],
+        [-C, -C],
+        [-B, -A],
+        [0.0, -1.0],
+        [B, -A],
+        [C, -C],
+        [A, -B],
     ]
 };
 
@@ -22,13 +36,15 @@ pub fn gradient_noise(seed: Seed, x: f64, y: f64) -> f64 {
     let (x0, y0) = (floor(x), floor(y));
     let (fx, fy) = (x - x0, y - y0);
     let corner = |dx: f64, dy: f64| {
-        let key = ((x0 + dx) as i64 as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((y0 + dy) as i64 as u64).rotate_left(32);
+        let key =
+            ((x0 + dx) as i64 as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((y0 + dy) as i64 as u64).rotate_left(32);
         let g = DIRECTIONS[(seed.bits(key) >> 60) as usize];
         g[0] * (fx - dx) + g[1] * (fy - dy)
     };
     let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     let (u, v) = (fade(fx), fade(fy));
-    std::f64::consts::SQRT_2 * lerp(lerp(corner(0.0, 0.0), corner(1.0, 0.0), u), lerp(corner(0.0, 1.0), corner(1.0, 1.0), u), v)
+    std::f64::consts::SQRT_2
+        * lerp(lerp(corner(0.0, 0.0), corner(1.0, 0.0), u), lerp(corner(0.0, 1.0), corner(1.0, 1.0), u), v)
 }
 
 /// Octaves of gradient noise, each `lacunarity` times finer and `gain` times weaker; in about [−1, 1].

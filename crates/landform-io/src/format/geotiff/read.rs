@@ -25,7 +25,8 @@ pub(in crate::format) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Heigh
     check_dimensions(NAME, u64::from(rows), u64::from(cols), 1, bytes.len())?;
     let shape = Shape::new(rows as usize, cols as usize);
     let grid = grid(&mut tiff, shape)?;
-    let nodata = tiff.get_tag_ascii_string(Tag::GdalNodata).ok().and_then(|t| t.trim_matches(['\0', ' ']).parse::<f64>().ok());
+    let nodata =
+        tiff.get_tag_ascii_string(Tag::GdalNodata).ok().and_then(|t| t.trim_matches(['\0', ' ']).parse::<f64>().ok());
     let samples = to_f64(tiff.read_image().map_err(fail)?)?;
     let bands = samples.len() / shape.len();
     if bands == 0 || samples.len() % shape.len() != 0 {
@@ -50,7 +51,12 @@ fn to_f64(samples: DecodingResult) -> Result<Vec<f64>> {
         DecodingResult::I32(v) => all(v),
         DecodingResult::F32(v) => all(v),
         DecodingResult::F64(v) => v,
-        _ => return Err(Error::format(NAME, "its sample type is not read; expected 8, 16 or 32-bit integers or 32 or 64-bit floats")),
+        _ => {
+            return Err(Error::format(
+                NAME,
+                "its sample type is not read; expected 8, 16 or 32-bit integers or 32 or 64-bit floats",
+            ));
+        }
     })
 }
 
@@ -62,7 +68,8 @@ fn grid(tiff: &mut Reader, shape: Shape) -> Result<Grid> {
         grid.georeference = georeference.unwrap_or_default();
         return Ok(grid);
     };
-    let georeference = georeference.unwrap_or(Georeference { registration: Registration::Area, ..Georeference::default() });
+    let georeference =
+        georeference.unwrap_or(Georeference { registration: Registration::Area, ..Georeference::default() });
     let mut grid = Grid::new(shape, spacing).map_err(|e| Error::format(NAME, e))?;
     let half = if georeference.registration == Registration::Area { 0.5 } else { 0.0 };
     grid.origin = [corner[0] + half * spacing[0], corner[1] - half * spacing[1]];

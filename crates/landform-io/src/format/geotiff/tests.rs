@@ -31,7 +31,14 @@ fn every_layout_is_read_back_with_its_georeference() {
             for registration in [Registration::Area, Registration::Point] {
                 let source = field(rows, cols, Georeference { epsg, geographic: false, registration });
                 for geotiff in options() {
-                    let file = RasterFile { grid: &source.grid, values: source.elevation(), field: "elevation", unit: "m", seed: 1, geotiff };
+                    let file = RasterFile {
+                        grid: &source.grid,
+                        values: source.elevation(),
+                        field: "elevation",
+                        unit: "m",
+                        seed: 1,
+                        geotiff,
+                    };
                     let back = read(&write(&file).unwrap(), None).unwrap();
                     assert_eq!(back.grid, source.grid, "{geotiff:?}");
                     for (a, b) in source.elevation().iter().zip(back.elevation()) {
