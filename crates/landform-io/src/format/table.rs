@@ -116,13 +116,9 @@ fn extension(path: &Path) -> String {
 }
 
 fn unknown(path: &Path, known: &[&str]) -> Error {
-    let found = extension(path);
-    let near = nearest(&found, known.iter().copied()).map(|n| format!("did you mean `.{n}`?"));
-    Error::Format {
-        format: "known",
-        what: format!("extension `.{found}` of {}; known are {}", path.display(), known.join(", ")),
-        hint: near,
-    }
+    let near = nearest(&extension(path), known.iter().copied()).map(|n| format!(" (.{n}?)")).unwrap_or_default();
+    let expected = format!("a name that ends with one of .{}{near}", known.join(", ."));
+    Error::parameter("path", format!("\"{}\"", path.display()), &expected)
 }
 
 /// The raster format of a path.

@@ -13,7 +13,7 @@ use landform_core::random::Seed;
 use landform_core::terrain::HeightField;
 use landform_core::units::Length;
 use landform_core::verb::{Context, Estimate, Generator, Params, Source};
-use landform_core::{Result, math, parallel};
+use landform_core::{Error, Result, math, parallel};
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 use schemars::JsonSchema;
@@ -62,11 +62,19 @@ impl Params for SpectralFbm {
     }];
 }
 
+/// Side of the largest transform: 64 GiB of coefficients.
+const MOST_TRANSFORM: usize = 1 << 16;
+
 impl SpectralFbm {
     /// Side of the square transform: a power of two, at least twice the longer side.
     fn transform_size(&self) -> Result<usize> {
         let shape = raster(self.size, self.cell_size)?.shape;
-        Ok((2 * shape.rows.max(shape.cols)).next_power_of_two())
+        let n = (2 * shape.rows.max(shape.cols)).next_power_of_two();
+        if n > MOST_TRANSFORM {
+            let expected = format!("at most {} cells along a side", MOST_TRANSFORM / 2);
+            return Err(Error::parameter("cell_size", self.cell_size, &expected));
+        }
+        Ok(n)
     }
 }
 

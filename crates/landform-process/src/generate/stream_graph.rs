@@ -98,6 +98,9 @@ impl Generator<Mesh> for StreamGraph {
         let [w, h] = self.size.map(Length::si);
         let nodes = self.spacing.map_or(self.nodes as f64, |s| 0.7 * w * h / (s.si() * s.si()));
         // Measured: graph 150, triangulation 260 bytes a node at the peak.
+        if !(nodes <= 2.2e7) {
+            return Err(Error::parameter("spacing", format!("{nodes:.1e} nodes"), "at most 20 million nodes"));
+        }
         Ok(Estimate { nodes: nodes as u64, bytes: nodes as u64 * 420, extent: [w, h] })
     }
 }

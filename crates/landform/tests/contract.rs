@@ -1,0 +1,242 @@
+//! What every stage must keep, swept over the table of stages.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use landform::core::parallel::with_threads;
+use landform::core::terrain::{NodeSurface, Terrain};
+use landform::core::verb::{CancelToken, MemoryOutput};
+use landform::recipe::{AnyTerrain, Options, Ran, Recipe, STAGES, Signal, Stage, Verb, parameters, schema};
+
+fn start(kind: &str) -> &'static str {
+    match kind {
+        "mesh" => "[[stage]]\nuse = \"stream_graph\"\nsize = [\"8 km\", \"8 km\"]\nnodes = 400\nroughness = \"80 m\"\n",
+        _ => "[[stage]]\nuse = \"noise\"\nsize = [\"4 km\", \"3 km\"]\ncell_size = \"200 m\"\namplitude = \"150 m\"\n",
+    }
+}
+
+fn recipe(text: &str) -> Recipe {
+    Recipe::parse(text, "test", Path::new("."), &[]).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+fn run(text: &str) -> AnyTerrain {
+    match recipe(text).run(&mut MemoryOutput::default(), &Options::default()).unwrap() {
+        Ran::ToTheEnd(terrain, _) => (*terrain).clone(),
+        Ran::Interrupted(_) => panic!("interrupted"),
+    }
+}
+
+fn processes() -> impl Iterator<Item = &'static Stage> {
+    STAGES.iter().filter(|s| s.verb == Verb::Process)
+}
+
+fn process_recipe(stage: &Stage, steps: u64) -> String {
+    let clock = format!("clock = {{ dt = \"20 kyr\", max_steps = {steps} }}");
+    format!("seed = 5\n{}\n[[stage]]\nuse = \"{}\"\n{clock}\n", start(stage.on.unwrap()), stage.name)
+}
+
+#[test]
+fn names_are_snake_case_and_each_kind_appears_once() {
+    let mut seen = BTreeSet::new();
+    for stage in STAGES {
+        assert!(stage.name.chars().all(|c| c.is_ascii_lowercase() || c == '_'), "{}", stage.name);
+        assert!(seen.insert((stage.name, stage.on)), "{} on {:?} is listed twice", stage.name, stage.on);
+        assert!(!stage.summary().is_empty(), "{} says nothing", stage.name);
+    }
+}
+
+#[test]
+fn every_parameter_has_a_meaning_and_a_default_inside_its_range() {
+    for stage in STAGES {
+        for p in parameters(stage.name).unwrap() {
+            assert!(p.meaning.len() > 8 && p.meaning.ends_with('.'), "{}.{}: `{}`", stage.name, p.name, p.meaning);
+        }
+        let given = if stage.inputs.is_empty() { "" } else { "path = \"x.tif\"\n" };
+        let head = stage.on.map(start).unwrap_or_default();
+        let clock = if stage.verb == Verb::Process { "clock = { dt = \"1 kyr\", max_steps = 1 }\n" } else { "" };
+        recipe(&format!("{head}[[stage]]\nuse = \"{}\"\n{given}{clock}", stage.name));
+    }
+}
+
+#[test]
+fn unknown_words_are_refused_by_every_stage() {
+    for stage in STAGES {
+        let head = stage.on.map(start).unwrap_or_default();
+        let clock = if stage.verb == Verb::Process { "clock = { dt = \"1 kyr\", max_steps = 1 }\n" } else { "" };
+        let text = format!("{head}[[stage]]\nuse = \"{}\"\n{clock}no_such_word = 1\n", stage.name);
+        let error = Recipe::parse(&text, "t", Path::new("."), &[]).unwrap_err().to_string();
+        assert!(error.contains("no_such_word"), "{}: {error}", stage.name);
+    }
+}
+
+fn fields(terrain: &AnyTerrain) -> (Vec<f64>, Vec<String>) {
+    fn of<T: NodeSurface>(t: &T) -> (Vec<f64>, Vec<String>) {
+        (t.elevation().to_vec(), t.fields().names().map(String::from).collect())
+    }
+    match terrain {
+        AnyTerrain::HeightField(t) => of(t),
+        AnyTerrain::Mesh(t) => of(t),
+    }
+}
+
+#[test]
+fn processes_give_finite_numbers_and_write_only_what_they_declare() {
+    for stage in processes() {
+        let (z, names) = fields(&run(&process_recipe(stage, 2)));
+        assert!(z.iter().all(|v| v.is_finite()), "{}", stage.name);
+        for name in names {
+            assert!(stage.writes.contains(&name.as_str()), "{} wrote `{name}`", stage.name);
+        }
+        assert!(stage.writes.contains(&"elevation"));
+    }
+}
+
+#[test]
+fn mass_budgets_close() {
+    for stage in processes() {
+        let budgets = std::sync::Mutex::new(Vec::new());
+        let options = Options {
+            progress: &|signal| {
+                if let Signal::Outcome(o) = signal {
+                    budgets.lock().unwrap().push(o.budget);
+                }
+            },
+            ..Options::default()
+        };
+        recipe(&process_recipe(stage, 10)).run(&mut MemoryOutput::default(), &options).unwrap();
+        for budget in budgets.lock().unwrap().iter() {
+            assert!(budget.imbalance() < 1e-9, "{} on {:?}: {:e}", stage.name, stage.on, budget.imbalance());
+            assert!(budget.sediment_imbalance() < 1e-9, "{}: {:e}", stage.name, budget.sediment_imbalance());
+        }
+    }
+}
+
+#[test]
+fn results_do_not_depend_on_threads() {
+    for stage in processes() {
+        let text = process_recipe(stage, 3).replace("nodes = 400", "nodes = 30000").replace("200 m", "25 m");
+        let one = with_threads(1, || run(&text)).unwrap();
+        let four = with_threads(4, || run(&text)).unwrap();
+        assert!(one == four, "{} on {:?}", stage.name, stage.on);
+    }
+}
+
+#[test]
+fn an_interrupted_run_resumes_to_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    for stage in processes() {
+        let text = process_recipe(stage, 6);
+        let whole = run(&text);
+        for stop_at in 1..6 {
+            let checkpoint = folder.path().join(format!("{}-{stop_at}.lfc", stage.name));
+            let cancel = CancelToken::default();
+            let stopper = cancel.clone();
+            let options = Options {
+                checkpoint: Some(checkpoint.clone()),
+                cancel,
+                progress: &|signal| {
+                    if matches!(signal, Signal::Step { steps, .. } if steps == stop_at) {
+                        stopper.cancel();
+                    }
+                },
+                ..Options::default()
+            };
+            let ran = recipe(&text).run(&mut MemoryOutput::default(), &options).unwrap();
+            assert!(matches!(ran, Ran::Interrupted(Some(_))), "{}", stage.name);
+            let options = Options { checkpoint: Some(checkpoint.clone()), resume: true, ..Options::default() };
+            match recipe(&text).run(&mut MemoryOutput::default(), &options).unwrap() {
+                Ran::ToTheEnd(terrain, _) => assert!(*terrain == whole, "{} at {stop_at}", stage.name),
+                Ran::Interrupted(_) => panic!("interrupted again"),
+            }
+            assert!(!checkpoint.exists(), "a finished run leaves no checkpoint");
+        }
+    }
+}
+
+#[test]
+fn the_same_recipe_in_cells_of_half_the_size_is_the_same_land() {
+    let land = |cell: &str| {
+        let text = format!(
+            "seed = 4\n[[stage]]\nuse = \"noise\"\nsize = [\"12 km\", \"12 km\"]\ncell_size = \"{cell}\"\namplitude = \"120 m\"\n\
+             [[stage]]\nuse = \"evolve\"\nclock = {{ duration = \"1 Myr\", dt = \"20 kyr\" }}\nprocess = [\n\
+             {{ use = \"uplift\", rate = \"0.3 mm/yr\" }},\n{{ use = \"stream_power\", erodibility = \"2e-6\" }},\n\
+             {{ use = \"linear_diffusion\", diffusivity = \"0.05 m2/yr\" }} ]\n"
+        );
+        let (z, _) = fields(&run(&text));
+        z.iter().sum::<f64>() / z.len() as f64
+    };
+    let (coarse, fine) = (land("200 m"), land("100 m"));
+    // Drainage area grows cell by cell, so finer hillslopes erode a little less.
+    assert!((coarse / fine - 1.0).abs() < 0.12, "{coarse} {fine}");
+}
+
+#[test]
+fn seeds_matter_and_inserting_a_stage_does_not_reshuffle() {
+    let base = start("mesh");
+    assert!(run(&format!("seed = 1\n{base}")) == run(&format!("seed = 1\n{base}")));
+    assert!(run(&format!("seed = 1\n{base}")) != run(&format!("seed = 2\n{base}")));
+    let inserted = format!("seed = 1\n[[stage]]\nuse = \"flat\"\n{base}");
+    assert!(run(&format!("seed = 1\n{base}")) == run(&inserted));
+}
+
+#[test]
+fn stages_branch_and_the_cache_spares_what_did_not_change() {
+    let folder = tempfile::tempdir().unwrap();
+    let ran = |text: &str| {
+        let cached = std::sync::Mutex::new(Vec::new());
+        let options = Options {
+            cache: Some(folder.path().into()),
+            progress: &|signal| {
+                if let Signal::Stage { cached: c, .. } = signal {
+                    cached.lock().unwrap().push(c);
+                }
+            },
+            ..Options::default()
+        };
+        let Ran::ToTheEnd(terrain, history) = recipe(text).run(&mut MemoryOutput::default(), &options).unwrap() else {
+            panic!("interrupted")
+        };
+        (cached.into_inner().unwrap(), terrain, history)
+    };
+    let text = |depth: &str| {
+        format!(
+            "{}label = \"ground\"\n[[stage]]\nuse = \"add\"\nelevation = \"{depth}\"\n\
+             [[stage]]\nuse = \"fill_depressions\"\nfrom = \"ground\"\n[[stage]]\nuse = \"measure_summary\"\n",
+            start("height field")
+        )
+    };
+    let (cached, first, history) = ran(&text("5 m"));
+    assert_eq!(cached, [false, false, false, false]);
+    assert_eq!(history.len(), 2, "the branch did not pass through `add`");
+    let (cached, second, again) = ran(&text("5 m"));
+    assert_eq!(cached, [true, true, true, false]);
+    assert!(first == second && history == again);
+    assert_eq!(ran(&text("6 m")).0, [true, false, true, false]);
+    // A damaged file of the cache is found out, and the stage is run again.
+    for file in std::fs::read_dir(folder.path()).unwrap().flatten() {
+        let bytes = std::fs::read(file.path()).unwrap();
+        std::fs::write(file.path(), &bytes[..bytes.len() / 2]).unwrap();
+    }
+    assert!(ran(&text("5 m")).1 == first);
+}
+
+#[test]
+fn the_schema_knows_every_stage() {
+    let schema = schema();
+    for stage in STAGES {
+        assert_eq!(schema["$defs"][stage.name]["properties"]["use"]["const"], stage.name);
+    }
+    assert!(schema["$defs"]["evolve"].is_object() && schema["$defs"]["clock"].is_object());
+    let text = schema.to_string();
+    for reference in text.split("\"#/$defs/").skip(1).map(|r| r.split('"').next().unwrap()) {
+        assert!(schema["$defs"][reference].is_object(), "{reference} is not defined");
+    }
+}
+
+#[test]
+fn volumes_are_measured_alike_on_both_representations() {
+    let text = format!("{}[[stage]]\nuse = \"to_height_field\"\ncell_size = \"100 m\"\n", start("mesh"));
+    let (AnyTerrain::Mesh(mesh), AnyTerrain::HeightField(raster)) = (run(start("mesh")), run(&text)) else { panic!("kinds") };
+    // The raster's border cells stick out by half a cell, at elevation 0.
+    assert!((raster.volume() / mesh.volume() - 1.0).abs() < 0.05, "{} {}", raster.volume(), mesh.volume());
+}
