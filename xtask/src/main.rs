@@ -1,2 +1,52 @@
-//! x
-fn main() {}
+//! The project's own commands: `cargo xtask COMMAND`.
+
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command line speaks")]
+
+mod fuzz;
+mod layers;
+mod validate;
+
+use std::process::{Command, ExitCode};
+
+const HELP: &str = "cargo xtask COMMAND
+  ci                  tests, fmt, clippy, docs, layers: what CI runs
+  layers              checks who imports whom
+  gallery [--accept]  runs the gallery's goldens, or accepts what comes out now
+  fuzz [SECONDS]      throws damaged files at every reader, SECONDS each (60)
+  validate            convergence studies; prints tables
+  bench               cargo bench";
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let done = match args.first().map(String::as_str) {
+        Some("ci") => ci(),
+        Some("layers") => layers::check(),
+        Some("gallery") => gallery(args.iter().any(|a| a == "--accept")),
+        Some("fuzz") => fuzz::run(args.get(1).and_then(|s| s.parse().ok()).unwrap_or(60.0)),
+        Some("validate") => validate::run(),
+        Some("bench") => cargo(&["bench", "--workspace"], &[]),
+        _ => {
+            println!("{HELP}");
+            true
+        }
+    };
+    if done { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn cargo(args: &[&str], env: &[(&str, &str)]) -> bool {
+    println!("> cargo {}", args.join(" "));
+    Command::new("cargo").args(args).envs(env.iter().copied()).status().is_ok_and(|s| s.success())
+}
+
+fn gallery(accept: bool) -> bool {
+    let env: &[_] = if accept { &[("LANDFORM_ACCEPT_GOLDENS", "1")] } else { &[] };
+    cargo(&["test", "-p", "landform", "--test", "gallery"], env)
+}
+
+fn ci() -> bool {
+    cargo(&["test", "--workspace"], &[])
+        && cargo(&["fmt", "--all", "--check"], &[])
+        && cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])
+        && cargo(&["doc", "--workspace", "--no-deps", "--document-private-items"], &[("RUSTDOCFLAGS", "-D warnings")])
+        && layers::check()
+}

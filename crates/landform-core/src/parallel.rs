@@ -12,6 +12,9 @@ use crate::{Error, Result};
 /// Length of a piece. Small enough to balance two cores on 10⁵ nodes, large enough that a piece outweighs its scheduling.
 pub const PIECE: usize = 16_384;
 
+/// More would spend their time on waiting for each other.
+const MOST_THREADS: usize = 512;
+
 fn pieces(n: usize) -> usize {
     n.div_ceil(PIECE)
 }
@@ -37,7 +40,7 @@ pub fn find_first(n: usize, f: impl Fn(usize) -> bool + Sync) -> Option<usize> {
 
 /// `f` of every index, in order.
 pub fn map<T: Send>(n: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    (0..n).into_par_iter().with_min_len(PIECE.min(n / 64 + 1)).map(|i| f(i)).collect()
+    (0..n).into_par_iter().with_min_len(PIECE.min(n / 64 + 1)).map(&f).collect()
 }
 
 /// `f` of every piece of 0..n, in order.
@@ -88,8 +91,11 @@ pub fn for_pieces_mut2<A: Send, B: Send>(
 /// Runs `f` on exactly `threads` threads (0: as many as there are cores).
 ///
 /// # Errors
-/// [`Error::Io`] if the threads cannot be started.
+/// [`Error::Parameter`] for more than 512 threads, [`Error::Io`] if they cannot be started.
 pub fn with_threads<T: Send>(threads: usize, f: impl FnOnce() -> T + Send) -> Result<T> {
+    if threads > MOST_THREADS {
+        return Err(Error::parameter("threads", threads, &format!("at most {MOST_THREADS}; 0 takes all cores")));
+    }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()

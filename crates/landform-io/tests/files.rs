@@ -1,5 +1,7 @@
 //! Every format there and back; hostile bytes get an answer.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+
 use std::path::Path;
 
 use landform_core::Error;
@@ -20,14 +22,7 @@ fn field(rows: usize, cols: usize) -> HeightField {
 }
 
 fn file<'a>(field: &'a HeightField, values: &'a [f64]) -> RasterFile<'a> {
-    RasterFile {
-        grid: &field.grid,
-        values,
-        field: "elevation",
-        unit: "m",
-        seed: 1,
-        geotiff: GeotiffOptions::default(),
-    }
+    RasterFile { grid: &field.grid, values, field: "elevation", unit: "m", seed: 1, geotiff: GeotiffOptions::default() }
 }
 
 #[test]

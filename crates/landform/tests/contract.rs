@@ -1,5 +1,7 @@
 //! What every stage must keep, swept over the table of stages.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -236,7 +238,9 @@ fn the_schema_knows_every_stage() {
 #[test]
 fn volumes_are_measured_alike_on_both_representations() {
     let text = format!("{}[[stage]]\nuse = \"to_height_field\"\ncell_size = \"100 m\"\n", start("mesh"));
-    let (AnyTerrain::Mesh(mesh), AnyTerrain::HeightField(raster)) = (run(start("mesh")), run(&text)) else { panic!("kinds") };
+    let (AnyTerrain::Mesh(mesh), AnyTerrain::HeightField(raster)) = (run(start("mesh")), run(&text)) else {
+        panic!("kinds")
+    };
     // The raster's border cells stick out by half a cell, at elevation 0.
     assert!((raster.volume() / mesh.volume() - 1.0).abs() < 0.05, "{} {}", raster.volume(), mesh.volume());
 }

@@ -1,12 +1,15 @@
 //! Broken recipes: what is said, and where.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+
 use std::path::Path;
 
 use landform::core::Error;
 use landform::recipe::{Override, Recipe};
 
 const HEAD: &str = "[[stage]]\nuse = \"flat\"\n";
-const EVOLVE: &str = "[[stage]]\nuse = \"flat\"\n[[stage]]\nuse = \"evolve\"\nclock = { dt = \"1 kyr\", duration = \"1 Myr\" }\n";
+const EVOLVE: &str =
+    "[[stage]]\nuse = \"flat\"\n[[stage]]\nuse = \"evolve\"\nclock = { dt = \"1 kyr\", duration = \"1 Myr\" }\n";
 
 fn after_head(text: &str) -> String {
     format!("{HEAD}{text}")
@@ -59,8 +62,18 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
         (after_head("[[stage]]\nuse = \"uplift\""), 4, "process `uplift` has no `clock`", "for example clock"),
         (after_head("[[stage]]\nuse = \"uplift\"\nclock = { dt = \"1 kyr\" }"), 5, "`clock` is without end", ""),
         (after_head("[[stage]]\nuse = \"uplift\"\nclock = { duration = \"1 kyr\" }"), 5, "`dt` is 0 yr", ""),
-        (after_head("[[stage]]\nuse = \"uplift\"\nclock = { dt = 5, duration = \"1 kyr\" }"), 5, "the unit is missing", ""),
-        (after_head("[[stage]]\nuse = \"uplift\"\nclock = { dt = \"1 kyr\", until = \"stedy\" }"), 5, "unknown variant `stedy`", ""),
+        (
+            after_head("[[stage]]\nuse = \"uplift\"\nclock = { dt = 5, duration = \"1 kyr\" }"),
+            5,
+            "the unit is missing",
+            "",
+        ),
+        (
+            after_head("[[stage]]\nuse = \"uplift\"\nclock = { dt = \"1 kyr\", until = \"stedy\" }"),
+            5,
+            "unknown variant `stedy`",
+            "",
+        ),
         (after_head("[[stage]]\nuse = \"evolve\""), 4, "`evolve` has no `clock`", ""),
         (EVOLVE.into(), 4, "`evolve` has no `process`", ""),
         (format!("{EVOLVE}process = []"), 6, "`process` is empty", ""),
@@ -75,22 +88,52 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
         (process("{ use = \"uplift\", rate = { formula = \"q\", unit = \"mm/yr\" } }"), 6, "`q` is not known", ""),
         (process("{ use = \"uplift\", rate = { formula = \"1\" } }"), 6, "`unit` is missing", ""),
         (process("{ use = \"uplift\", rate = { image = \"a.png\" } }"), 6, "needs `black` and `white`", ""),
-        (process("{ use = \"uplift\", rate = { imag = \"a.png\" } }"), 6, "unknown field `imag`", "did you mean `image`?"),
+        (
+            process("{ use = \"uplift\", rate = { imag = \"a.png\" } }"),
+            6,
+            "unknown field `imag`",
+            "did you mean `image`?",
+        ),
         (process("{ use = \"stream_power\", slope_exponent = 9 }"), 6, "`slope_exponent` is 9", ""),
         (process("{ use = \"stream_power\", talus_angle = 35 }"), 6, "the unit is missing", ""),
         (process("{ use = \"stream_power\", talus_angle = \"95 deg\" }"), 6, "at most 85 deg", ""),
         (process("{ use = \"stream_power\", erodibility = \"-1e-6\" }"), 6, "`erodibility` is", ""),
         (process("{ use = \"stream_power\", outlets = \"lake\" }"), 6, "expected \"border\"", ""),
-        (process("{ use = \"linear_diffusion\", difusivity = \"1 m2/yr\" }"), 6, "no parameter `difusivity`", "`diffusivity`?"),
+        (
+            process("{ use = \"linear_diffusion\", difusivity = \"1 m2/yr\" }"),
+            6,
+            "no parameter `difusivity`",
+            "`diffusivity`?",
+        ),
         (after_head("[[stage]]\nuse = \"to_height_field\""), 4, "does not work on a height field", ""),
-        (s("[[stage]]\nuse = \"stream_graph\"\n[[stage]]\nuse = \"write_raster\""), 4, "does not work on a mesh", "put `to_height_field`"),
-        (after_head("[[stage]]\nuse = \"write_raster\"\npath = \"a.jpg\""), 5, "expected a name that ends with one of .tif", ""),
+        (
+            s("[[stage]]\nuse = \"stream_graph\"\n[[stage]]\nuse = \"write_raster\""),
+            4,
+            "does not work on a mesh",
+            "put `to_height_field`",
+        ),
+        (
+            after_head("[[stage]]\nuse = \"write_raster\"\npath = \"a.jpg\""),
+            5,
+            "expected a name that ends with one of .tif",
+            "",
+        ),
         (after_head("[[stage]]\nuse = \"write_raster\"\npath = \"../a.tif\""), 5, "`path` is \"../a.tif\"", ""),
         (after_head("[[stage]]\nuse = \"write_picture\"\npath = \"a.jpg\""), 5, "ends with .png", ""),
         (after_head("[[stage]]\nuse = \"write_picture\"\nview = \"top\""), 5, "unknown variant `top`", ""),
         (after_head("[[stage]]\nuse = \"drainage\"\nfrom = \"x\""), 5, "has the label `x`", ""),
-        (s("[[stage]]\nuse = \"flat\"\nlabel = \"a\"\n[[stage]]\nuse = \"flat\"\nlabel = \"a\""), 6, "is given twice", ""),
-        (after_head("[[stage]]\nuse = \"write_report\"\n[[stage]]\nuse = \"write_report\""), 0, "both write `report.html`", ""),
+        (
+            s("[[stage]]\nuse = \"flat\"\nlabel = \"a\"\n[[stage]]\nuse = \"flat\"\nlabel = \"a\""),
+            6,
+            "is given twice",
+            "",
+        ),
+        (
+            after_head("[[stage]]\nuse = \"write_report\"\n[[stage]]\nuse = \"write_report\""),
+            0,
+            "both write `report.html`",
+            "",
+        ),
     ]
 }
 
@@ -110,7 +153,10 @@ fn broken_recipes_say_what_is_wrong_where_and_what_to_do() {
 #[test]
 fn recipes_with_wrong_sets_say_which() {
     let set = |text: &str| {
-        Override::parse(text).and_then(|o| Recipe::parse(HEAD, "t", Path::new("."), &[o])).map(|_| ()).map_err(|e| e.to_string())
+        Override::parse(text)
+            .and_then(|o| Recipe::parse(HEAD, "t", Path::new("."), &[o]))
+            .map(|_| ())
+            .map_err(|e| e.to_string())
     };
     assert!(set("flat.cell_size=\"20 m\"").is_ok());
     assert!(set("flat.cell_size=20 m").is_ok(), "the shell eats quotes");
@@ -130,7 +176,8 @@ fn recipes_with_wrong_sets_say_which() {
 
 #[test]
 fn a_label_or_a_process_can_be_set() {
-    let text = process("{ use = \"uplift\", rate = \"1 mm/yr\" }").replace("use = \"flat\"", "use = \"flat\"\nlabel = \"plain\"");
+    let text = process("{ use = \"uplift\", rate = \"1 mm/yr\" }")
+        .replace("use = \"flat\"", "use = \"flat\"\nlabel = \"plain\"");
     let o = |s: &str| Override::parse(s).unwrap();
     for set in ["plain.elevation=4 m", "uplift.rate=2 mm/yr", "evolve.clock.dt=5 kyr"] {
         Recipe::parse(&text, "t", Path::new("."), &[o(set)]).unwrap_or_else(|e| panic!("{set}: {e}"));
@@ -151,7 +198,8 @@ fn absurd_sizes_are_refused_before_memory_is_taken() {
             Ok(plan) => assert!(plan.bytes > 1 << 36, "{text}: {}", plan.bytes),
         }
     }
-    let missing = Recipe::parse("[[stage]]\nuse = \"elevation_file\"\npath = \"none.tif\"", "t", Path::new("."), &[]).unwrap();
+    let missing =
+        Recipe::parse("[[stage]]\nuse = \"elevation_file\"\npath = \"none.tif\"", "t", Path::new("."), &[]).unwrap();
     let error = missing.plan(None, "").unwrap_err();
     assert!(error.to_string().contains("cannot read") && error.hint().is_some(), "{error}");
 }

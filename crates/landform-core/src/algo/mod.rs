@@ -4,4 +4,5 @@ pub mod depression;
 pub mod derivative;
 pub mod flow;
 pub mod noise;
+pub mod outlets;
 pub mod sampling;

@@ -187,8 +187,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     /// [`Error::Format`] if it is damaged or belongs to another simulation.
     pub fn resume(mut self, key: &str, checkpoint: &[u8]) -> Result<Self> {
         let saved: Saved<T> = unpack("checkpoint", key, checkpoint)?;
-        let names = |p: &Box<dyn Running<T>>| p.name();
-        if !self.processes.iter().map(names).eq(saved.states.iter().map(|s| s.0.as_str())) {
+        if !self.processes.iter().map(|p| p.name()).eq(saved.states.iter().map(|s| s.0.as_str())) {
             return Err(Error::format("landform state", "it is of other processes"));
         }
         for (process, (_, state)) in self.processes.iter_mut().zip(&saved.states) {

@@ -110,8 +110,8 @@ fn hilbert_index(mut x: u32, mut y: u32) -> u32 {
         index = (index << 2) | ((3 * rx) ^ ry);
         if ry == 0 {
             if rx == 1 {
-                x = 0xffff ^ x;
-                y = 0xffff ^ y;
+                x ^= 0xffff;
+                y ^= 0xffff;
             }
             std::mem::swap(&mut x, &mut y);
         }

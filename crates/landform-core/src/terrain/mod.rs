@@ -6,7 +6,6 @@
 mod convert;
 mod height_field;
 mod mesh;
-mod outlets;
 
 use std::sync::Arc;
 
@@ -16,7 +15,6 @@ use serde::de::DeserializeOwned;
 pub use convert::{height_field_from_mesh, mesh_parts_from_height_field, resample};
 pub use height_field::HeightField;
 pub use mesh::Mesh;
-pub use outlets::{NamedOutlets, Outlets};
 
 use crate::field::Fields;
 use crate::grid::Domain;
@@ -45,7 +43,7 @@ pub trait NodeSurface: Terrain {
     /// nodata masked.
     fn domain(&self) -> Arc<Self::Domain>;
 
-    /// Sets the status of every node (see [`Outlets`]); none goes back to what the border says.
+    /// Sets the status of every node (see [`Outlets`](crate::algo::outlets::Outlets)); none goes back to what the border says.
     fn set_status(&mut self, status: Option<Vec<u8>>);
 
     /// Elevation per node, m; NaN on masked nodes.

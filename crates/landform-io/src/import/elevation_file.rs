@@ -5,7 +5,8 @@
 
 use std::path::Path;
 
-use landform_core::terrain::{HeightField, NamedOutlets, Outlets, resample};
+use landform_core::algo::outlets::{NamedOutlets, Outlets};
+use landform_core::terrain::{HeightField, resample};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Estimate, Generator, Params, Source};
 use landform_core::{Error, Result, math};

@@ -1,6 +1,6 @@
 //! The words of stream power.
 
-use landform_core::terrain::Outlets;
+use landform_core::algo::outlets::Outlets;
 use landform_core::units::{Angle, Erodibility, ErodibilityDimension, RateDimension};
 use landform_core::verb::{Params, Source, Varying};
 use landform_core::{Error, Result, math};

@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::NodeSurface;
-use crate::algo::flow::Flow;
+use super::flow::Flow;
 use crate::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED, Side};
+use crate::terrain::NodeSurface;
 
 /// Where water leaves: at these nodes the elevation is a base level, which is held.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

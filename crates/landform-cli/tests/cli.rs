@@ -1,0 +1,129 @@
+//! The program as a person uses it.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn landform(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_landform")).current_dir(folder).args(args).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+const SMALL: &str = "seed = 3\n[[stage]]\nuse = \"stream_graph\"\nnodes = 600\nsize = [\"10 km\", \"10 km\"]\n\
+[[stage]]\nuse = \"evolve\"\nclock = { dt = \"50 kyr\", duration = \"2 Myr\" }\nprocess = [ { use = \"uplift\" }, { use = \"stream_power\" } ]\n\
+[[stage]]\nuse = \"write_mesh\"\npath = \"a.ply\"\n\
+[[stage]]\nuse = \"to_height_field\"\ncell_size = \"200 m\"\n\
+[[stage]]\nuse = \"write_raster\"\npath = \"sub/a.tif\"\n\
+[[stage]]\nuse = \"write_picture\"\npath = \"a.png\"\nsize = 120\n\
+[[stage]]\nuse = \"write_report\"\n";
+
+#[test]
+fn a_recipe_runs_and_runs_again_from_the_cache_to_the_same_bytes() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.toml"), SMALL).unwrap();
+    let first = landform(dir.path(), &["run", "r.toml", "-o", "o1", "--threads", "1"]);
+    assert!(first.status.success(), "{}", text(&first.stderr));
+    let again = landform(dir.path(), &["run", "r.toml", "-o", "o1"]);
+    assert!(text(&again.stderr).contains("(cached)"), "{}", text(&again.stderr));
+    assert!(landform(dir.path(), &["run", "r.toml", "-o", "o2", "--threads", "2", "--no-cache"]).status.success());
+    for file in ["a.ply", "sub/a.tif", "a.png", "report.html"] {
+        let bytes = |o: &str| std::fs::read(dir.path().join(o).join(file)).unwrap();
+        assert!(bytes("o1") == bytes("o2"), "{file}");
+    }
+    assert!(text(&std::fs::read(dir.path().join("o1/report.html")).unwrap()).contains("Braun &amp; Willett (2013)"));
+    let json = landform(dir.path(), &["run", "r.toml", "-o", "o3", "--progress", "json", "--seed", "4"]);
+    assert!(text(&json.stdout).lines().all(|l| serde_json::from_str::<serde_json::Value>(l).is_ok()));
+    let quiet = landform(dir.path(), &["run", "r.toml", "-o", "o4", "-q", "--set", "uplift.rate=1 mm/yr"]);
+    assert!(quiet.stdout.is_empty() && quiet.stderr.is_empty() && quiet.status.success());
+    let mesh = |o: &str| std::fs::read(dir.path().join(o).join("a.ply")).unwrap();
+    assert!(mesh("o1") != mesh("o3") && mesh("o1") != mesh("o4"));
+}
+
+#[test]
+fn errors_name_line_and_column_and_nothing_is_written() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.toml"), SMALL.replace("nodes = 600", "nods = 600")).unwrap();
+    let run = landform(dir.path(), &["run", "r.toml", "-o", "out"]);
+    let said = text(&run.stderr);
+    assert_eq!(run.status.code(), Some(1));
+    assert!(said.contains("error: `stream_graph` has no parameter `nods`") && said.contains("r.toml:4:1"), "{said}");
+    assert!(said.contains("hint: did you mean `nodes`?"), "{said}");
+    assert!(!dir.path().join("out").exists());
+    std::fs::write(dir.path().join("file"), "").unwrap();
+    std::fs::write(dir.path().join("r.toml"), SMALL).unwrap();
+    let blocked = landform(dir.path(), &["run", "r.toml", "-o", "file/out"]);
+    assert!(text(&blocked.stderr).contains("error: cannot create folder"), "{}", text(&blocked.stderr));
+    let absent = landform(dir.path(), &["run", "none.toml"]);
+    assert!(text(&absent.stderr).contains("error: cannot read none.toml"));
+    let huge = "[[stage]]\nuse = \"flat\"\nsize = [\"60 km\", \"60 km\"]\ncell_size = \"1 m\"\n";
+    std::fs::write(dir.path().join("huge.toml"), huge.replace("60 km", "600 km").replace("1 m\"", "10 m\"")).unwrap();
+    let refused = landform(dir.path(), &["run", "huge.toml"]);
+    if !refused.status.success() {
+        assert!(text(&refused.stderr).contains("--force"), "{}", text(&refused.stderr));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_saves_and_resume_gives_the_same_bytes() {
+    use std::io::{BufRead, BufReader};
+    let dir = tempfile::tempdir().unwrap();
+    let long = SMALL.replace("2 Myr", "40 Myr").replace("nodes = 600", "nodes = 3000");
+    std::fs::write(dir.path().join("r.toml"), long).unwrap();
+    let run = |out: &str, more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_landform"));
+        command.current_dir(dir.path()).args(["run", "r.toml", "-o", out, "--progress", "json"]).args(more);
+        command
+    };
+    let mut child = run("o1", &[]).stdout(std::process::Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines().map_while(Result::ok);
+    lines.find(|l| l.contains("\"event\":\"step\"")).expect("a step");
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    for _ in lines {}
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(130), "interrupted before the end");
+    assert!(dir.path().join("o1/.landform/checkpoint.lfc").exists());
+    assert!(!dir.path().join("o1/a.ply").exists());
+    assert!(run("o1", &["--resume"]).output().unwrap().status.success());
+    assert!(run("o2", &[]).output().unwrap().status.success());
+    let bytes = |o: &str| std::fs::read(dir.path().join(o).join("a.ply")).unwrap();
+    assert!(bytes("o1") == bytes("o2"));
+}
+
+#[test]
+fn the_catalogue_the_schema_and_the_sources_are_printed() {
+    let dir = tempfile::tempdir().unwrap();
+    let all = text(&landform(dir.path(), &["stages"]).stdout);
+    assert!(all.contains("stream_power") && all.contains("evolve"));
+    let one = text(&landform(dir.path(), &["stages", "stream_power"]).stdout);
+    assert!(one.contains("talus_angle [deg]") && one.contains("Braun & Willett"), "{one}");
+    let wrong = landform(dir.path(), &["stages", "steam_power"]);
+    assert!(text(&wrong.stderr).contains("did you mean `stream_power`?"));
+    let schema: serde_json::Value = serde_json::from_slice(&landform(dir.path(), &["schema"]).stdout).unwrap();
+    assert_eq!(schema["title"], "landform recipe");
+    assert!(landform(dir.path(), &["new", "mountains"]).status.success());
+    assert!(!landform(dir.path(), &["new", "mountains"]).status.success(), "a file is not written over");
+    let check = text(&landform(dir.path(), &["check", "mountains.toml"]).stdout);
+    assert!(check.contains("evolve: uplift + stream_power") && check.contains("memory: about"), "{check}");
+    assert!(text(&landform(dir.path(), &["cite", "mountains.toml"]).stdout).contains("Cordonnier"));
+}
+
+#[test]
+fn rasters_are_converted_and_drawn() {
+    let dir = tempfile::tempdir().unwrap();
+    let ascii = "ncols 3\nnrows 3\nxllcenter 0\nyllcenter 0\ncellsize 10\n1 2 3\n4 9 6\n7 8 9\n";
+    std::fs::write(dir.path().join("a.asc"), ascii).unwrap();
+    for target in ["a.tif", "a.exr", "a.npy", "a.png", "a.r16", "a.pgm", "a.glb", "a.obj", "a.ply", "a.stl", "b.asc"] {
+        let done = landform(dir.path(), &["convert", "a.asc", target]);
+        assert!(done.status.success(), "{target}: {}", text(&done.stderr));
+    }
+    assert!(landform(dir.path(), &["convert", "a.r16", "c.asc"]).status.success());
+    assert!(landform(dir.path(), &["render", "a.tif", "v.png", "--size", "64"]).status.success());
+    assert!(landform(dir.path(), &["render", "a.tif", "m.png", "--size", "64", "--view", "map"]).status.success());
+    let wrong = landform(dir.path(), &["convert", "a.asc", "a.xyz"]);
+    assert!(text(&wrong.stderr).contains("error:") && !wrong.status.success());
+}

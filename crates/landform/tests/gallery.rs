@@ -1,0 +1,113 @@
+//! The gallery at small size: hash first, summary second.
+//!
+//! `cargo xtask gallery --accept` writes what comes out now as the new truth; say why in the changelog.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use landform::core::terrain::NodeSurface;
+use landform::core::verb::MemoryOutput;
+use landform::recipe::{AnyTerrain, GALLERY, Options, Override, Ran, Recipe};
+use serde::{Deserialize, Serialize};
+
+/// What makes each recipe small.
+const SMALL: &[(&str, &[&str])] = &[
+    (
+        "mountains",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=400 m",
+            "evolve.clock.max_steps=120",
+            "write_picture.size=160",
+        ],
+    ),
+    ("range", &["today.cell_size=360 m", "write_picture.size=160"]),
+    ("noise", &["spectral_fbm.cell_size=250 m", "write_picture.size=160"]),
+    ("ridge", &["stream_graph.nodes=1200", "to_height_field.cell_size=500 m", "write_picture.size=160"]),
+];
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Golden {
+    hash: String,
+    nodes: usize,
+    min: f64,
+    max: f64,
+    mean: f64,
+}
+
+fn golden(terrain: &AnyTerrain) -> Golden {
+    let z = match terrain {
+        AnyTerrain::HeightField(t) => t.elevation(),
+        AnyTerrain::Mesh(t) => t.elevation(),
+    };
+    // FNV-1a over the bits.
+    let hash = z
+        .iter()
+        .flat_map(|v| v.to_bits().to_le_bytes())
+        .fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
+    let valid: Vec<f64> = z.iter().copied().filter(|v| v.is_finite()).collect();
+    Golden {
+        hash: format!("{hash:016x}"),
+        nodes: valid.len(),
+        min: valid.iter().copied().fold(f64::INFINITY, f64::min),
+        max: valid.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        mean: valid.iter().sum::<f64>() / valid.len() as f64,
+    }
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gallery")
+}
+
+#[test]
+fn every_recipe_of_the_gallery_runs_to_the_same_land() {
+    let path = root().join("goldens.json");
+    let accept = std::env::var_os("LANDFORM_ACCEPT_GOLDENS").is_some();
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|_| "{}".into());
+    let known: BTreeMap<String, Golden> = serde_json::from_str(&text).unwrap();
+    let mut found = BTreeMap::new();
+    for recipe in GALLERY {
+        let small = SMALL.iter().find(|s| s.0 == recipe.name).expect("a small size for every recipe").1;
+        let overrides: Vec<Override> = small.iter().map(|s| Override::parse(s).unwrap()).collect();
+        let parsed = Recipe::parse(recipe.text, recipe.name, &root(), &overrides)
+            .unwrap_or_else(|e| panic!("{}: {e}", recipe.file));
+        let mut out = MemoryOutput::default();
+        let Ran::ToTheEnd(terrain, _) = parsed.run(&mut out, &Options::default()).unwrap() else {
+            panic!("interrupted")
+        };
+        assert!(out.0.values().all(|bytes| !bytes.is_empty()), "{}", recipe.file);
+        found.insert(recipe.name.to_string(), golden(&terrain));
+    }
+    if accept {
+        std::fs::write(&path, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
+        return;
+    }
+    for (name, new) in &found {
+        let old = known.get(name).unwrap_or_else(|| panic!("{name} has no golden; run cargo xtask gallery --accept"));
+        let near = |a: f64, b: f64| (a - b).abs() <= 0.01 * old.max.abs().max(1.0);
+        let tolerable =
+            old.nodes == new.nodes && near(old.min, new.min) && near(old.max, new.max) && near(old.mean, new.mean);
+        let how = if tolerable { "moved within tolerance" } else { "CHANGED" };
+        assert!(
+            old.hash == new.hash,
+            "{name} {how}:\nwas {old:?}\nis  {new:?}\nif this is meant: cargo xtask gallery --accept, and say why in the changelog"
+        );
+    }
+}
+
+#[test]
+fn every_recipe_opens_with_what_to_look_at() {
+    for recipe in GALLERY {
+        let opening: Vec<&str> = recipe.text.lines().take_while(|l| l.starts_with('#')).collect();
+        assert!(opening.len() >= 3 && opening[1].starts_with("# Look at:"), "{}", recipe.file);
+        assert!(std::fs::read_to_string(root().join(recipe.file)).unwrap() == recipe.text);
+    }
+    let files = std::fs::read_dir(root())
+        .unwrap()
+        .flatten()
+        .filter(|f| f.path().extension().is_some_and(|e| e == "toml"))
+        .count();
+    assert_eq!(files, GALLERY.len(), "a recipe in the folder is not in the list");
+}
