@@ -49,7 +49,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         "mesh" => delaunay(args),
         other => Err(Error::parameter("task", other, "A, B, C or mesh")),
     })??;
-    println!("{result}");
+    say!("{result}");
     Ok(ExitCode::SUCCESS)
 }
 

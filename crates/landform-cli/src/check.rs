@@ -28,10 +28,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let recipe = Recipe::load(&args.recipe, &overrides).map_err(about(&args.recipe))?;
     let cache = args.output.as_ref().map(|o| o.join(".landform/cache"));
     let plan = recipe.plan(cache.as_deref(), &salt()).map_err(about(&args.recipe))?;
-    println!("{} (seed {})", recipe.title, recipe.seed);
+    say!("{} (seed {})", recipe.title, recipe.seed);
     print_plan(&plan);
     let free = memory::available().map(|m| format!(" of {} free", bytes_text(m))).unwrap_or_default();
-    println!("memory: about {}{free}", bytes_text(plan.bytes));
+    say!("memory: about {}{free}", bytes_text(plan.bytes));
     Ok(ExitCode::SUCCESS)
 }
 
@@ -39,7 +39,7 @@ fn print_plan(plan: &Plan) {
     for (k, stage) in plan.stages.iter().enumerate() {
         let label = stage.label.as_ref().map(|l| format!("{l}: ")).unwrap_or_default();
         let cached = if stage.cached { "  cached" } else { "" };
-        println!(
+        say!(
             "{:>3}  {:<8} {:<52} {:>10} nodes  {:<12} {:>10}{cached}",
             k + 1,
             stage.verb.title(),

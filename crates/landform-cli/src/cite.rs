@@ -17,7 +17,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let recipe = Recipe::load(&args.recipe, &[]).map_err(about(&args.recipe))?;
     for c in cite(&recipe) {
         let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
-        println!("{}: {}.{doi} (for {})", c.authors, c.title, c.stages.join(", "));
+        say!("{}: {}.{doi} (for {})", c.authors, c.title, c.stages.join(", "));
     }
     Ok(ExitCode::SUCCESS)
 }

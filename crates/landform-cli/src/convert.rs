@@ -45,6 +45,6 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
             write_whole(&args.output.with_extension("landform.json"), &Sidecar::describe(&file, steps).text()?)?;
         }
     }
-    println!("{}", args.output.display());
+    say!("{}", args.output.display());
     Ok(ExitCode::SUCCESS)
 }

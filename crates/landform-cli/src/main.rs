@@ -2,6 +2,18 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command line speaks")]
 
+/// Prints a line; ends quietly when nobody listens any more (`landform stages | head`).
+macro_rules! say {
+    ($($arg:tt)*) => {{
+        use std::io::Write;
+        if let Err(e) = writeln!(std::io::stdout(), $($arg)*)
+            && e.kind() == std::io::ErrorKind::BrokenPipe
+        {
+            std::process::exit(0);
+        }
+    }};
+}
+
 mod bench;
 mod check;
 mod cite;

@@ -22,7 +22,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let Some(name) = &args.name else {
         for recipe in GALLERY {
-            println!("{:<12} {}", recipe.name, recipe.text.lines().next().unwrap_or_default().trim_start_matches("# "));
+            say!("{:<12} {}", recipe.name, recipe.text.lines().next().unwrap_or_default().trim_start_matches("# "));
         }
         return Ok(ExitCode::SUCCESS);
     };
@@ -38,6 +38,16 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         return Err(Error::Recipe { at: None, what: format!("{} is already there", path.display()), hint }.into());
     }
     write_whole(&path, recipe.text.as_bytes())?;
-    println!("wrote {}; next: landform run {} -o out", path.display(), path.display());
+    for (name, bytes) in recipe.data {
+        let beside = path.with_file_name("").join(name);
+        if let Some(folder) = beside.parent() {
+            std::fs::create_dir_all(folder).map_err(|e| Error::io("create folder", folder, e))?;
+        }
+        if !beside.exists() {
+            write_whole(&beside, bytes)?;
+            say!("wrote {}", beside.display());
+        }
+    }
+    say!("wrote {}; next: landform run {} -o out", path.display(), path.display());
     Ok(ExitCode::SUCCESS)
 }

@@ -73,11 +73,11 @@ impl Reporter {
 
     pub(crate) fn files(&self, files: &[PathBuf], seconds: f64) {
         match self.style {
-            Style::Json => println!("{}", json!({ "event": "done", "files": files, "seconds": seconds })),
+            Style::Json => tell(&json!({ "event": "done", "files": files, "seconds": seconds })),
             Style::None => {}
             _ => {
                 for file in files {
-                    println!("{}", file.display());
+                    tell(&file.display());
                 }
                 eprintln!("done in {seconds:.1} s");
             }
@@ -186,5 +186,11 @@ fn as_json(state: &mut State, signal: &Signal) {
         }
         Signal::Note(text) => json!({ "event": "note", "text": text }),
     };
-    println!("{line}");
+    tell(&line);
+}
+
+/// Prints a line; a run goes on even if nobody listens any more.
+fn tell(line: &dyn std::fmt::Display) {
+    use std::io::Write;
+    writeln!(std::io::stdout(), "{line}").ok();
 }

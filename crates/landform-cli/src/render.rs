@@ -63,6 +63,6 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let terrain = load_raster(&args.input)?;
     let drawn = picture.draw(&terrain)?;
     write_whole(&args.output, &encode_png(&drawn.pixels, drawn.shape)?)?;
-    println!("{}", args.output.display());
+    say!("{}", args.output.display());
     Ok(ExitCode::SUCCESS)
 }

@@ -2,13 +2,15 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use landform::core::parallel::with_threads;
 use landform::core::verb::CancelToken;
 use landform::core::{Error, Result};
 use landform::io::files::Folder;
-use landform::recipe::{Options, Override, Ran, Recipe};
+use landform::recipe::{Options, Override, Ran, Recipe, Signal};
 
 use crate::memory;
 use crate::progress::{Reporter, Style};
@@ -72,9 +74,12 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let mut folder = Folder::create(&args.output)?;
     let cancel = CancelToken::default();
     let token = cancel.clone();
+    let stepping = Arc::new(AtomicBool::new(false));
+    let in_steps = stepping.clone();
     ctrlc::set_handler(move || {
-        // A second signal does not wait for the step to end.
-        if token.is_cancelled() {
+        // Only processes have a state worth saving; and a second signal does not wait for the step to end.
+        if token.is_cancelled() || !in_steps.load(Ordering::Relaxed) {
+            eprintln!("interrupted: run again to go on from the cache");
             std::process::exit(130);
         }
         token.cancel();
@@ -88,7 +93,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         resume: args.resume,
         salt,
         cancel,
-        progress: &|signal| reporter.take(signal),
+        progress: &|signal| {
+            stepping.store(matches!(signal, Signal::Step { .. }), Ordering::Relaxed);
+            reporter.take(signal);
+        },
         ..Options::default()
     };
     let ran = with_threads(args.threads, || recipe.run(&mut folder, &options))?;

@@ -9,6 +9,6 @@ use crate::show_error::Failure;
 
 pub(crate) fn run() -> Result<ExitCode, Failure> {
     let text = serde_json::to_string_pretty(&schema()).map_err(|e| Error::format("JSON", e))?;
-    println!("{text}");
+    say!("{text}");
     Ok(ExitCode::SUCCESS)
 }

@@ -30,38 +30,39 @@ fn first_sentence(text: &str) -> &str {
 
 fn all() {
     for verb in VERBS {
-        println!("{}", verb.title());
+        say!("{}", verb.title());
         if verb == Verb::Process {
-            println!("  {:<18} {}", "evolve", first_sentence(&describe("evolve").unwrap_or_default()));
+            say!("  {:<18} {}", "evolve", first_sentence(&describe("evolve").unwrap_or_default()));
         }
         for (stage, kinds) in catalogue().into_iter().filter(|(s, _)| s.verb == verb) {
             let on = if kinds.is_empty() { String::new() } else { format!(" [{}]", kinds.join(", ")) };
-            println!("  {:<18} {}{on}", stage.name, first_sentence(&stage.summary()));
+            say!("  {:<18} {}{on}", stage.name, first_sentence(&stage.summary()));
         }
-        println!();
+        say!();
     }
-    println!("landform stages NAME shows one stage's parameters.");
+    say!("landform stages NAME shows one stage's parameters.");
 }
 
 fn one(name: &str) -> Result<()> {
     let Some(parameters) = parameters(name) else {
-        let hint = nearest(name, STAGES.iter().map(|s| s.name)).map(|n| format!("did you mean `{n}`?"));
+        let hint =
+            nearest(name, STAGES.iter().map(|s| s.name).chain(["evolve"])).map(|n| format!("did you mean `{n}`?"));
         return Err(Error::Recipe { at: None, what: format!("stage `{name}` is not known"), hint });
     };
-    println!("{name}: {}\n", describe(name).unwrap_or_default());
+    say!("{name}: {}\n", describe(name).unwrap_or_default());
     for p in parameters {
         let unit = if p.unit.is_empty() { String::new() } else { format!(" [{}]", p.unit) };
         let varying = if p.varying { ", may vary in space" } else { "" };
         let range = if p.range.is_empty() { String::new() } else { format!(", {}", p.range) };
-        println!("  {}{unit} = {}{range}{varying}", p.name, p.default);
-        println!("      {}", p.meaning);
+        say!("  {}{unit} = {}{range}{varying}", p.name, p.default);
+        say!("      {}", p.meaning);
     }
     if let Some(stage) = STAGES.iter().find(|s| s.name == name) {
         if !stage.writes.is_empty() {
-            println!("\n  leaves: {}", stage.writes.join(", "));
+            say!("\n  leaves: {}", stage.writes.join(", "));
         }
         for source in stage.sources {
-            println!("\n  source: {}: {}. {}", source.authors, source.title, source.doi);
+            say!("\n  source: {}: {}. {}", source.authors, source.title, source.doi);
         }
     }
     Ok(())

@@ -184,7 +184,7 @@ impl Error {
             Self::Memory { .. } => Some("ask for fewer nodes or larger cells, or go on regardless with --force".into()),
             Self::Io { source, action, .. } => match (source.kind(), *action) {
                 (std::io::ErrorKind::NotFound, "read") => {
-                    Some("paths in a recipe are relative to the recipe's folder".into())
+                    Some("is the path right? in a recipe it is relative to the recipe's folder".into())
                 }
                 (std::io::ErrorKind::StorageFull, _) => Some("the disk is full; nothing half-written was left".into()),
                 (std::io::ErrorKind::PermissionDenied, _) => Some("choose another folder with -o".into()),

@@ -143,7 +143,12 @@ pub fn unit_factor<D: Dimension>(unit: &str) -> Result<f64, String> {
 }
 
 fn expected<D: Dimension>() -> String {
-    format!("a {} such as \"{}\"", D::NAME, D::EXAMPLE)
+    format!(
+        "{} {} such as \"{}\"",
+        if D::NAME.starts_with('a') || D::NAME.starts_with('e') { "an" } else { "a" },
+        D::NAME,
+        D::EXAMPLE
+    )
 }
 
 /// Splits "0.4 mm/yr" into number and unit.

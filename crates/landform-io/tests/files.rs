@@ -166,7 +166,7 @@ fn broken_files_say_what_is_wrong_and_name_themselves() {
     std::fs::write(folder.join("side.r16"), vec![0; 8]).unwrap();
     for (sidecar, message) in [
         ("{", "sidecar"),
-        (r#"{"dx_m": -4}"#, "`dx_m` and `dy_m` must be > 0"),
+        (r#"{"dx_m": -4}"#, "`dx_m`, `dy_m` and `cell_deg` must be > 0"),
         (r#"{"width": 3, "height": 3}"#, "are not 3 x 3"),
     ] {
         std::fs::write(folder.join("side.landform.json"), sidecar).unwrap();

@@ -13,7 +13,8 @@ use crate::terrain::Terrain;
 use crate::verb::{CancelToken, Change, Context, Maps, NoMaps, Process, Step};
 use crate::{Error, Result, parallel};
 
-const MOST_STEPS_WITHOUT_END: u64 = 1_000_000;
+/// A run until steady that says no `max_steps` gives up here.
+const MOST_STEPS_WITHOUT_END: u64 = 10_000;
 
 /// What an observer sees.
 #[derive(Debug)]

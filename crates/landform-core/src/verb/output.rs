@@ -31,7 +31,8 @@ impl Output for MemoryOutput {
 /// [`Error::Parameter`] otherwise.
 pub fn relative_path(path: &str) -> Result<&str> {
     let inside = Path::new(path).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
-    if path.is_empty() || !inside || path.ends_with('/') {
+    let own = Path::new(path).starts_with(".landform") || Path::new(path).starts_with("./.landform");
+    if path.is_empty() || own || !inside || path.ends_with('/') {
         return Err(Error::parameter("path", format!("\"{path}\""), "a file name, below the output folder"));
     }
     Ok(path)

@@ -59,10 +59,33 @@ fn schema_of<P: JsonSchema>() -> Value {
 
 /// Name and schema of each parameter, in order of declaration.
 pub fn properties<P: JsonSchema>() -> Vec<(String, Value)> {
-    match schema_of::<P>().get_mut("properties").map(Value::take) {
-        Some(Value::Object(map)) => map.into_iter().collect(),
+    let mut schema = schema_of::<P>();
+    let definitions = schema["$defs"].take();
+    match schema.get_mut("properties").map(Value::take) {
+        Some(Value::Object(map)) => map
+            .into_iter()
+            .map(|(name, mut property)| {
+                let choices = choices(&property, &definitions);
+                if !choices.is_empty() {
+                    property["x-choices"] = choices.into();
+                }
+                (name, property)
+            })
+            .collect(),
         _ => Vec::new(),
     }
+}
+
+/// The words that a parameter may be, where it is one of a list.
+fn choices(property: &Value, definitions: &Value) -> Vec<String> {
+    if let Some(name) = property["$ref"].as_str().and_then(|r| r.strip_prefix("#/$defs/")) {
+        return choices(&definitions[name], definitions);
+    }
+    let listed = |key: &str| property[key].as_array().into_iter().flatten();
+    let words = listed("enum").filter_map(|v| v.as_str().map(String::from));
+    let constants = listed("oneOf").filter_map(|v| v["const"].as_str().map(String::from));
+    let nested = listed("anyOf").flat_map(|v| choices(v, definitions));
+    words.chain(constants).chain(nested).collect()
 }
 
 /// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties.

@@ -84,6 +84,9 @@ impl Params for WritePicture {
 
     fn check(&self) -> Result<()> {
         relative_path(&self.path)?;
+        if !(self.zoom.is_finite() && self.exaggeration.is_finite()) {
+            return Err(Error::parameter("zoom", "not a finite number", "a number such as 1.5"));
+        }
         if !self.path.to_lowercase().ends_with(".png") {
             return Err(Error::parameter("path", format!("\"{}\"", self.path), "a name that ends with .png"));
         }

@@ -68,6 +68,13 @@ impl Export<HeightField> for WriteRaster {
             seed: landscape.seed,
             geotiff: GeotiffOptions { data_type: self.data_type, compression: self.compression, tile },
         };
+        if let Some(v) = values.iter().find(|v| !v.is_nan() && !(v.abs() <= f64::from(f32::MAX))) {
+            return Err(Error::parameter(
+                "field",
+                format!("`{}` with a value of {v:e}", self.field),
+                "values below 3.4e38",
+            ));
+        }
         if values.iter().all(|v| v.is_nan()) {
             return Err(Error::Empty { what: format!("field `{}`", self.field) });
         }

@@ -34,6 +34,8 @@ pub struct Sidecar {
     pub dx_m: Option<f64>,
     /// Distance between rows, m.
     pub dy_m: Option<f64>,
+    /// Distance between rows and columns, degrees.
+    pub cell_deg: Option<f64>,
     /// x of the first column's samples, m.
     pub west: Option<f64>,
     /// y of the first row's samples, m.
@@ -61,8 +63,16 @@ impl Sidecar {
         let sidecar: Self = serde_json::from_slice(bytes).map_err(|e| Error::format("sidecar", e))?;
         let positive = |v: Option<f64>| v.is_none_or(|v| v.is_finite() && v > 0.0);
         let finite = |v: Option<f64>| v.is_none_or(f64::is_finite);
-        if !positive(sidecar.dx_m) || !positive(sidecar.dy_m) || !finite(sidecar.scale) || !finite(sidecar.offset) {
-            return Err(Error::format("sidecar", "`dx_m` and `dy_m` must be > 0, `scale` and `offset` finite"));
+        if !positive(sidecar.dx_m)
+            || !positive(sidecar.dy_m)
+            || !positive(sidecar.cell_deg)
+            || !finite(sidecar.scale)
+            || !finite(sidecar.offset)
+        {
+            return Err(Error::format(
+                "sidecar",
+                "`dx_m`, `dy_m` and `cell_deg` must be > 0, `scale` and `offset` finite",
+            ));
         }
         Ok(sidecar)
     }
@@ -84,6 +94,7 @@ impl Sidecar {
             height: Some(grid.shape.rows),
             dx_m: Some(grid.spacing[0]),
             dy_m: Some(grid.spacing[1]),
+            cell_deg: None,
             west: Some(grid.origin[0]),
             north: Some(grid.origin[1]),
             crs: grid.georeference.epsg.map(|e| format!("EPSG:{e}")),
@@ -109,11 +120,11 @@ impl Sidecar {
     /// As [`Grid::new`].
     pub fn grid(sidecar: Option<&Self>, shape: Shape) -> Result<Grid> {
         let s = sidecar.cloned().unwrap_or_default();
-        let dx = s.dx_m.unwrap_or(1.0);
+        let dx = s.dx_m.or(s.cell_deg).unwrap_or(1.0);
         let mut grid = Grid::new(shape, [dx, s.dy_m.unwrap_or(dx)])?;
         grid.origin = [s.west.unwrap_or(0.0), s.north.unwrap_or(grid.origin[1])];
         let epsg = s.crs.as_deref().and_then(|c| c.strip_prefix("EPSG:")).and_then(|c| c.parse().ok());
-        let geographic = epsg == Some(4326) && s.dx_m.is_none();
+        let geographic = s.dx_m.is_none() && (s.cell_deg.is_some() || epsg == Some(4326));
         grid.georeference = Georeference { epsg, geographic, registration: Registration::Point };
         Ok(grid)
     }

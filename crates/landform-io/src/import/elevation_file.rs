@@ -59,11 +59,12 @@ impl ElevationFile {
         let mut field = context.maps.raster(Path::new(&self.path))?;
         if in_degrees(&field) {
             if !self.degrees_to_metres {
-                return Err(Error::Format {
-                    format: "metric",
-                    what: format!("{} is in degrees of longitude and latitude", self.path),
-                    hint: Some("set degrees_to_metres = true, or warp it to metres (UTM) first".into()),
-                });
+                let value = format!("\"{}\", which is in degrees of longitude and latitude", self.path);
+                return Err(Error::parameter(
+                    "path",
+                    value,
+                    "metres; set degrees_to_metres = true, or warp it to UTM first",
+                ));
             }
             to_metres(&mut field);
         }

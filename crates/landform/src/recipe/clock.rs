@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Clock {
-    /// Length of a step.
+    /// Length of a step; must be given.
     #[schemars(extend("x-above" = 0.0))]
     pub dt: Duration,
     /// Time to run; or give `until` or `max_steps`.
@@ -21,7 +21,7 @@ pub struct Clock {
     /// See `until`.
     #[schemars(extend("x-above" = 0.0, "x-max" = 1.0))]
     pub tolerance: f64,
-    /// Most steps.
+    /// Most steps; 10,000 for a run until steady, if not given.
     #[schemars(extend("x-min" = 1))]
     pub max_steps: Option<u64>,
 }

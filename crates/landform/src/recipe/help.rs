@@ -95,9 +95,10 @@ fn find<'a>(property: &'a Json, key: &str) -> Option<&'a Json> {
 fn range(property: &Json, unit: &str) -> String {
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     let bound = |key: &str, word: &str| property[key].as_f64().map(|b| format!("{word} {b}{unit}"));
-    let parts: Vec<String> =
-        [bound("x-above", ">"), bound("x-min", "at least"), bound("x-max", "at most")].into_iter().flatten().collect();
-    parts.join(", ")
+    let words: Vec<&str> = property["x-choices"].as_array().into_iter().flatten().filter_map(Json::as_str).collect();
+    let choices = (!words.is_empty()).then(|| format!("one of {}", words.join(", ")));
+    let bounds = [bound("x-above", ">"), bound("x-min", "at least"), bound("x-max", "at most")];
+    bounds.into_iter().chain([choices]).flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// What a stage is for.

@@ -215,6 +215,11 @@ fn apply(root: &mut Node, o: &Override) -> Result<()> {
     if found {
         return Ok(());
     }
+    if names.contains(&o.stage) {
+        let what = format!("`--set`: `{}` has no place for `{}`", o.stage, o.path.join("."));
+        let hint = Some("a process within `evolve` is set by its own name, as in uplift.rate=...".into());
+        return Err(Error::Recipe { at: None, what, hint });
+    }
     let hint = nearest(&o.stage, names.iter().map(String::as_str)).map(|n| format!("did you mean `{n}`?"));
     let known = STAGES.iter().any(|s| s.name == o.stage);
     let what = if known { "is not in the recipe" } else { "is neither a stage nor a label of the recipe" };

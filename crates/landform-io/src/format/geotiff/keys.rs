@@ -6,6 +6,14 @@ const MODEL_TYPE: u16 = 1024;
 const RASTER_TYPE: u16 = 1025;
 const GEOGRAPHIC: u16 = 2048;
 const PROJECTED: u16 = 3072;
+const LINEAR_UNIT: u16 = 3076;
+const METRE: u16 = 9001;
+
+/// Code of the linear unit, if it is not the metre.
+pub(super) fn foreign_unit(directory: &[u16]) -> Option<u16> {
+    let entries = directory.get(4..).unwrap_or_default().chunks_exact(4);
+    entries.filter(|e| e[0] == LINEAR_UNIT && e[1] == 0).map(|e| e[3]).find(|&u| u != METRE)
+}
 
 /// The georeference that a key directory states.
 pub(super) fn parse(directory: &[u16]) -> Georeference {

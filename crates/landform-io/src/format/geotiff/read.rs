@@ -14,7 +14,12 @@ use crate::format::{Sidecar, check_dimensions, most_unpacked};
 type Reader<'a> = Decoder<Cursor<&'a [u8]>>;
 
 pub(in crate::format) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<HeightField> {
-    let fail = |e: tiff::TiffError| Error::format(NAME, e);
+    let fail = |e: tiff::TiffError| match e {
+        tiff::TiffError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => {
+            Error::format(NAME, "it ends before its data does: truncated")
+        }
+        e => Error::format(NAME, e),
+    };
     let most = usize::try_from(most_unpacked(bytes.len())).unwrap_or(usize::MAX);
     let mut limits = Limits::default();
     limits.decoding_buffer_size = most;
@@ -27,6 +32,7 @@ pub(in crate::format) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Heigh
     let grid = grid(&mut tiff, shape)?;
     let nodata =
         tiff.get_tag_ascii_string(Tag::GdalNodata).ok().and_then(|t| t.trim_matches(['\0', ' ']).parse::<f64>().ok());
+    let (scale, offset) = scale_and_offset(&mut tiff);
     let samples = to_f64(tiff.read_image().map_err(fail)?)?;
     let bands = samples.len() / shape.len();
     if bands == 0 || samples.len() % shape.len() != 0 {
@@ -35,7 +41,17 @@ pub(in crate::format) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Heigh
     // Of several bands the first; bands lie sample by sample.
     let value = |v: f64| if Some(v) == nodata || !v.is_finite() || v.abs() > 1e30 { f64::NAN } else { v };
     let narrow = |v: f64| if nodata.is_some_and(|n| f64::from(n as f32) == v) { f64::NAN } else { value(v) };
-    HeightField::new(grid, samples.iter().step_by(bands).map(|&v| narrow(v)).collect())
+    HeightField::new(grid, samples.iter().step_by(bands).map(|&v| narrow(v) * scale + offset).collect())
+}
+
+/// GDAL's scale and offset of the first band; 1 and 0 if there are none.
+fn scale_and_offset(tiff: &mut Reader) -> (f64, f64) {
+    let text = tiff.get_tag_ascii_string(Tag::Unknown(42_112)).unwrap_or_default();
+    let item = |role: &str| -> Option<f64> {
+        let item = text.split("<Item ").find(|i| i.contains(&format!("role=\"{role}\"")))?;
+        item.split('>').nth(1)?.split('<').next()?.trim().parse().ok().filter(|v: &f64| v.is_finite())
+    };
+    (item("scale").unwrap_or(1.0), item("offset").unwrap_or(0.0))
 }
 
 fn to_f64(samples: DecodingResult) -> Result<Vec<f64>> {
@@ -63,6 +79,13 @@ fn to_f64(samples: DecodingResult) -> Result<Vec<f64>> {
 fn grid(tiff: &mut Reader, shape: Shape) -> Result<Grid> {
     let keys = tiff.get_tag_u16_vec(Tag::GeoKeyDirectoryTag).ok();
     let georeference = keys.as_deref().map(keys::parse);
+    if let Some(unit) = keys.as_deref().and_then(keys::foreign_unit) {
+        return Err(Error::Format {
+            format: NAME,
+            what: format!("its coordinates are not in metres (unit EPSG:{unit}; 9002 and 9003 are feet)"),
+            hint: Some("warp it to a system in metres first".into()),
+        });
+    }
     let Some((spacing, corner)) = placement(tiff)? else {
         let mut grid = Grid::new(shape, [1.0, 1.0])?;
         grid.georeference = georeference.unwrap_or_default();

@@ -17,6 +17,7 @@ const STRIP_ROWS: usize = 64;
 
 pub(in crate::format) fn write(file: &RasterFile) -> Result<Vec<u8>> {
     let fail = |e: tiff::TiffError| Error::format(NAME, e);
+    check_range(file)?;
     let blocks = blocks(file)?;
     let mut bytes = Cursor::new(Vec::new());
     if blocks.iter().map(Vec::len).sum::<usize>() < CLASSIC_LIMIT {
@@ -27,6 +28,16 @@ pub(in crate::format) fn write(file: &RasterFile) -> Result<Vec<u8>> {
         fill(tiff.image_directory().map_err(fail)?, file, &blocks).map_err(fail)?;
     }
     Ok(bytes.into_inner())
+}
+
+/// Refuses values that the type of the samples cannot hold.
+fn check_range(file: &RasterFile) -> Result<()> {
+    let (lo, hi) = file.range();
+    if file.geotiff.data_type == DataType::Int16 && (lo < -32_767.0 || hi > 32_767.0) {
+        let expected = "values within -32767 and 32767, or data_type = \"float32\"";
+        return Err(Error::parameter("data_type", format!("int16 for values from {lo} to {hi}"), expected));
+    }
+    Ok(())
 }
 
 /// Rows and columns of a block.
@@ -166,11 +177,15 @@ fn fill<K: TiffKind>(
         directory.write_tag(length_tag, lengths.as_slice())?;
     }
     let [dx, dy] = grid.spacing;
-    let half = if grid.georeference.registration == Registration::Area { 0.5 } else { 0.0 };
+    // Without a reference system there are no keys (readers would make one up), and without keys pixels are areas.
+    let area = grid.georeference.registration == Registration::Area || grid.georeference.epsg.is_none();
+    let half = if area { 0.5 } else { 0.0 };
     let corner = [grid.origin[0] - half * dx, grid.origin[1] + half * dy];
     directory.write_tag(Tag::ModelPixelScaleTag, [dx, dy, 0.0].as_slice())?;
     directory.write_tag(Tag::ModelTiepointTag, [0.0, 0.0, 0.0, corner[0], corner[1], 0.0].as_slice())?;
-    directory.write_tag(Tag::GeoKeyDirectoryTag, keys::directory(&grid.georeference).as_slice())?;
+    if grid.georeference.epsg.is_some() {
+        directory.write_tag(Tag::GeoKeyDirectoryTag, keys::directory(&grid.georeference).as_slice())?;
+    }
     directory.write_tag(Tag::GdalNodata, nodata(options.data_type).to_string().as_str())?;
     directory.write_tag(Tag::Software, concat!("landform ", env!("CARGO_PKG_VERSION")))?;
     directory.finish()
