@@ -2,7 +2,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`format`] | readers and writers of rasters and meshes, one file each |
+//! | [`mod@format`] | readers and writers of rasters and meshes, one file each |
 //! | [`import`] | the `elevation_file` generator, maps by path |
 //! | [`render`] | pictures: colour ramps, the shaded map, the perspective view |
 //! | [`report`] | the one-file HTML report |

@@ -10,7 +10,7 @@ use crate::parallel;
 const ROW_STEP: [isize; 8] = [0, -1, -1, -1, 0, 1, 1, 1];
 const COL_STEP: [isize; 8] = [1, 1, 0, -1, -1, -1, 0, 1];
 
-/// ADJACENT[a] has bit b set if the cells in directions a and b touch (side or corner).
+/// `ADJACENT[a]` has bit b set if the cells in directions a and b touch (side or corner).
 const ADJACENT: [u8; 8] = adjacency();
 
 const fn adjacency() -> [u8; 8] {

@@ -13,7 +13,7 @@
 //! | α | `talus_angle` | rad | steepest stable slope |
 //!
 //! # Method
-//! Receivers, lakes through their passes, order and area by [`Flow`](landform_core::algo::flow::Flow), over the surface at
+//! Receivers, lakes through their passes, order and area by [`Flow`], over the surface at
 //! the start of the step: uplift of a long step, with base levels held, would bend the flow near them. Base levels are put
 //! back to their elevation; then from the outlets upwards z ← (z + f z_r)/(1 + f), f = K Δt Aᵐ/L, with the
 //! receiver's *new* elevation (n = 1; a guarded Newton iteration otherwise), and z ≤ z_r + L tan α. First order in time and

@@ -70,12 +70,13 @@ impl Flow {
             (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
         }
         domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot);
-        self.lakes = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
-        labels::label_basins(domain.status(), &self.receiver, &mut self.order, &mut self.pits);
-        let basins = self.pits.len();
-        if basins == 1 {
+        let pits = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
+        self.lakes = pits.all;
+        if pits.closed == 0 {
             return;
         }
+        labels::label_basins(domain.status(), &self.receiver, &mut self.order, &mut self.pits);
+        let basins = self.pits.len();
         domain.saddles(elevation, &mut self.marks);
         let passes = passes::find_passes(domain, elevation, &self.marks, &self.slot, &self.order);
         let tree = tree::spanning_tree(passes, basins);

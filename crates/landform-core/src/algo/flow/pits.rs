@@ -13,9 +13,16 @@ use crate::parallel;
 
 const RUN: usize = 32;
 
-/// Gives pits on flats the equal neighbour of lower index as receiver, and pits with an open way out that way; returns the number of
-/// pits, flats counted once.
-pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) -> usize {
+/// What [`open_pits`] found.
+pub(super) struct Pits {
+    /// Pits, flats counted once.
+    pub(super) all: usize,
+    /// Those whose way out is not seen yet.
+    pub(super) closed: usize,
+}
+
+/// Gives pits on flats the equal neighbour of lower index as receiver, and pits with an open way out that way.
+pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) -> Pits {
     let status = domain.status();
     let pits: Vec<usize> = parallel::map_pieces(slot.len(), |piece| {
         let mut pits = Vec::new();
@@ -29,22 +36,24 @@ pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut
         pits
     })
     .concat();
-    let below = |a: usize, b: usize| is_below(elevation, a, b);
-    let lowest = |i: usize| domain.neighbours(i).reduce(|a: Link, b| if below(b.to, a.to) { b } else { a });
-    let mut closed = Vec::with_capacity(pits.len());
+    let lowest = |i: usize| domain.neighbours(i).reduce(|a: Link, b| if is_below(elevation, b.to, a.to) { b } else { a });
+    let mut lowest_of = Vec::with_capacity(pits.len());
+    let mut found = Pits { all: 0, closed: 0 };
     for i in pits {
         match lowest(i) {
-            Some(link) if below(link.to, i) => (receiver[i], slot[i]) = (link.to as u32, link.slot),
-            Some(link) => closed.push((i, link)),
-            None => {}
+            Some(link) if is_below(elevation, link.to, i) => (receiver[i], slot[i]) = (link.to as u32, link.slot),
+            Some(link) => lowest_of.push((i, link)),
+            None => found.closed += 1,
         }
     }
-    let count = closed.len();
+    found.all = lowest_of.len() + found.closed;
     // The neighbours' receivers are final now: none of them is a pit itself.
-    for (i, link) in closed {
-        if receiver[link.to] as usize != i {
+    for (i, link) in lowest_of {
+        if receiver[link.to] as usize == i {
+            found.closed += 1;
+        } else {
             (receiver[i], slot[i]) = (link.to as u32, link.slot);
         }
     }
-    count
+    found
 }
