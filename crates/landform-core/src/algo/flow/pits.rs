@@ -36,7 +36,8 @@ pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut
         pits
     })
     .concat();
-    let lowest = |i: usize| domain.neighbours(i).reduce(|a: Link, b| if is_below(elevation, b.to, a.to) { b } else { a });
+    let lowest =
+        |i: usize| domain.neighbours(i).reduce(|a: Link, b| if is_below(elevation, b.to, a.to) { b } else { a });
     let mut lowest_of = Vec::with_capacity(pits.len());
     let mut found = Pits { all: 0, closed: 0 };
     for i in pits {
