@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use landform::core::terrain::NodeSurface;
 use landform::io::files::write_whole;
 use landform::io::format::{
-    GeotiffOptions, RasterFile, Sidecar, load_raster, mesh_file_from_height_field, mesh_format, raster_format,
+    GeotiffOptions, RasterFile, load_raster, mesh_file_from_height_field, mesh_format, raster_format,
 };
 
 use crate::show_error::Failure;
@@ -40,9 +40,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
             geotiff: GeotiffOptions::default(),
         };
         write_whole(&args.output, &(format.write)(&file)?)?;
-        if format.needs_sidecar {
-            let steps = ["PNG", "PNM", "RAW16"].contains(&format.name).then_some(65_535.0);
-            write_whole(&args.output.with_extension("landform.json"), &Sidecar::describe(&file, steps).text()?)?;
+        if let Some(sidecar) = format.sidecar(&file) {
+            write_whole(&args.output.with_extension("landform.json"), &sidecar.text()?)?;
         }
     }
     say!("{}", args.output.display());

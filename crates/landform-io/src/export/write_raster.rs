@@ -9,7 +9,7 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::format::{Compression, DataType, GeotiffOptions, RasterFile, Sidecar, raster_format};
+use crate::format::{Compression, DataType, GeotiffOptions, RasterFile, raster_format};
 
 /// Writes a field as a raster file; the extension says which: tif, asc, exr, npy, png (16 bit), pgm, r16. Formats that do
 /// not carry their own scale and place get a sidecar, name.landform.json.
@@ -79,10 +79,9 @@ impl Export<HeightField> for WriteRaster {
             return Err(Error::Empty { what: format!("field `{}`", self.field) });
         }
         out.put(&self.path, &(format.write)(&file)?)?;
-        if format.needs_sidecar {
-            let steps = ["PNG", "PNM", "RAW16"].contains(&format.name).then_some(65_535.0);
+        if let Some(sidecar) = format.sidecar(&file) {
             let path = Path::new(&self.path).with_extension("landform.json");
-            out.put(&path.to_string_lossy(), &Sidecar::describe(&file, steps).text()?)?;
+            out.put(&path.to_string_lossy(), &sidecar.text()?)?;
         }
         Ok(())
     }

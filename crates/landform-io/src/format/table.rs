@@ -51,6 +51,14 @@ pub struct RasterFormat {
     pub needs_sidecar: bool,
 }
 
+impl RasterFormat {
+    /// The sidecar of a file, where the format needs one.
+    pub fn sidecar(&self, file: &RasterFile) -> Option<Sidecar> {
+        let steps = ["PNG", "PNM", "RAW16"].contains(&self.name).then_some(raw16::STEPS);
+        self.needs_sidecar.then(|| Sidecar::describe(file, steps))
+    }
+}
+
 /// All formats of rasters.
 pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {

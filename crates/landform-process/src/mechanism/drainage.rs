@@ -6,9 +6,6 @@ use landform_core::grid::{Domain, MASKED};
 use landform_core::parallel;
 use landform_core::terrain::NodeSurface;
 
-/// Names of the fields that [`leave_drainage`] writes.
-pub const FIELDS: &[&str] = &["basin", "drainage_area", "lake_depth", "receiver"];
-
 /// Routes flow over the terrain as it is and leaves drainage area, lake depth, receiver and basin as fields.
 pub fn leave_drainage<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow: &mut Flow) {
     let mut area = node_areas(domain);

@@ -2,4 +2,4 @@
 
 mod drainage;
 
-pub use drainage::{FIELDS as DRAINAGE_FIELDS, leave_drainage};
+pub use drainage::leave_drainage;
