@@ -14,6 +14,23 @@ pub const RECEIVER: Key<u32> = Key::new("receiver", "1", "index of the node that
 /// Index of the outlet that a node drains to.
 pub const BASIN: Key<u32> =
     Key::new("basin", "1", "number of the drainage basin, in order of its outlet's index, from 1");
+/// Slope to the node that receives the water.
+pub const CHANNEL_SLOPE: Key<f64> =
+    Key::new("channel_slope", "1", "drop over distance to the node that receives this node's water; 0 at outlets");
+/// Transformed distance from the outlet.
+pub const CHI: Key<f64> = Key::new(
+    "chi",
+    "m",
+    "distance to the outlet, each part times (1 km2 / drainage area)^(m/n); elevation is linear in it at a steady state",
+);
+/// Rate of lowering by rivers.
+pub const EROSION_RATE: Key<f64> = Key::new(
+    "erosion_rate",
+    "m/s",
+    "rate at which rivers and slopes lowered the ground in the last step; negative where they laid down",
+);
+/// Rainfall.
+pub const RAINFALL: Key<f64> = Key::new("rainfall", "m/s", "rainfall");
 /// Name, unit and meaning of every standard field.
 pub const ALL: &[(&str, &str, &str)] = &[
     (ELEVATION.name, ELEVATION.unit, ELEVATION.meaning),
@@ -21,6 +38,10 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (LAKE_DEPTH.name, LAKE_DEPTH.unit, LAKE_DEPTH.meaning),
     (RECEIVER.name, RECEIVER.unit, RECEIVER.meaning),
     (BASIN.name, BASIN.unit, BASIN.meaning),
+    (CHANNEL_SLOPE.name, CHANNEL_SLOPE.unit, CHANNEL_SLOPE.meaning),
+    (CHI.name, CHI.unit, CHI.meaning),
+    (EROSION_RATE.name, EROSION_RATE.unit, EROSION_RATE.meaning),
+    (RAINFALL.name, RAINFALL.unit, RAINFALL.meaning),
 ];
 
 /// Unit of a standard field.

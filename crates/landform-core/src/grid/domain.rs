@@ -40,7 +40,7 @@ pub struct Link {
 ///
 /// Links of a node sit in numbered *slots*. Slots, like node indices, follow from the geometry alone, so that no result
 /// depends on the order in which a mesh's sites were given. Masked nodes are nobody's neighbour.
-pub trait Domain: Send + Sync + 'static {
+pub trait Domain: Clone + Send + Sync + 'static {
     /// Number of nodes.
     fn len(&self) -> usize;
 
@@ -81,10 +81,8 @@ pub trait Domain: Send + Sync + 'static {
     /// that are joined by links among themselves; lower means lower by (elevation, index).
     fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, visit: impl FnMut(u8));
 
-    /// The same graph with other base levels.
-    fn with_status(&self, status: Vec<u8>) -> Self
-    where
-        Self: Sized;
+    /// Sets what every node is; masked nodes stay masked.
+    fn set_status(&mut self, status: Vec<u8>);
 }
 
 /// Steepest descent at one node by its list of links: the definition that faster kernels must agree with.

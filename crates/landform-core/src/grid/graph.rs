@@ -180,7 +180,7 @@ impl Domain for Graph {
         close(arc);
     }
 
-    fn with_status(&self, status: Vec<u8>) -> Self {
-        Self { status, ..self.clone() }
+    fn set_status(&mut self, status: Vec<u8>) {
+        self.status = status;
     }
 }

@@ -344,9 +344,9 @@ impl Domain for RasterDomain {
         }
     }
 
-    fn with_status(&self, status: Vec<u8>) -> Self {
-        let has_mask = status.contains(&MASKED);
-        Self { status, has_mask, ..self.clone() }
+    fn set_status(&mut self, status: Vec<u8>) {
+        self.has_mask = status.contains(&MASKED);
+        self.status = status;
     }
 }
 

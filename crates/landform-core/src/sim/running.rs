@@ -9,7 +9,7 @@ pub(super) trait Running<T: Terrain>: Send {
     fn name(&self) -> &'static str;
     fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()>;
     fn max_step(&self, terrain: &T) -> Option<f64>;
-    fn begin(&mut self, terrain: &T) -> Result<()>;
+    fn begin(&mut self, terrain: &T, at: &Step) -> Result<()>;
     fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change>;
     fn finish(&mut self, terrain: &mut T) -> Result<()>;
     fn save(&self) -> Result<Vec<u8>>;
@@ -36,9 +36,9 @@ impl<T: Terrain, P: Process<T>> Running<T> for Run<P, P::State> {
         self.state.as_ref().and_then(|s| self.params.max_step(terrain, s))
     }
 
-    fn begin(&mut self, terrain: &T) -> Result<()> {
+    fn begin(&mut self, terrain: &T, at: &Step) -> Result<()> {
         let state = self.state.as_mut().ok_or_else(|| not_started(P::NAME))?;
-        self.params.begin(terrain, state)
+        self.params.begin(terrain, state, at)
     }
 
     fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change> {

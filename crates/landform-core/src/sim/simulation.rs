@@ -292,18 +292,20 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     fn advance(&mut self) -> Result<ControlFlow<()>> {
         let dt = self.next_dt();
         let before = self.stop.steady.map(|_| self.terrain.watched().to_vec());
-        for process in &mut self.processes {
-            process.begin(&self.terrain)?;
+        let (clock, seed, cancel) = (self.clock, self.seed, &self.cancel);
+        let at = |k: usize| Step {
+            index: clock.steps,
+            time: clock.time,
+            dt,
+            seed: seed.with(k as u64).with(clock.steps),
+            cancel: cancel.clone(),
+        };
+        for (k, process) in self.processes.iter_mut().enumerate() {
+            process.begin(&self.terrain, &at(k))?;
         }
         let mut change = Change::default();
         for (k, process) in self.processes.iter_mut().enumerate() {
-            let at = Step {
-                index: self.clock.steps,
-                time: self.clock.time,
-                dt,
-                seed: self.seed.with(k as u64).with(self.clock.steps),
-                cancel: self.cancel.clone(),
-            };
+            let at = at(k);
             change = change.plus(process.step(&mut self.terrain, &at)?);
             if let Some((field, node)) = self.terrain.find_non_finite() {
                 return Err(Error::NonFinite {

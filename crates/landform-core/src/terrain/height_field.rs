@@ -103,11 +103,11 @@ impl NodeSurface for HeightField {
     type Domain = RasterDomain;
 
     fn domain(&self) -> Arc<RasterDomain> {
-        let domain = RasterDomain::new(&self.grid, &self.valid);
-        Arc::new(match &self.status {
-            Some(status) => domain.with_status(status.to_vec()),
-            None => domain,
-        })
+        let mut domain = RasterDomain::new(&self.grid, &self.valid);
+        if let Some(status) = &self.status {
+            domain.set_status(status.to_vec());
+        }
+        Arc::new(domain)
     }
 
     fn set_status(&mut self, status: Option<Vec<u8>>) {

@@ -254,7 +254,7 @@ impl NodeSurface for Mesh {
     }
 
     fn set_status(&mut self, status: Option<Vec<u8>>) {
-        self.graph = Arc::new(self.graph.with_status(status.unwrap_or_else(|| self.border.to_vec())));
+        Arc::make_mut(&mut self.graph).set_status(status.unwrap_or_else(|| self.border.to_vec()));
     }
 
     fn elevation(&self) -> &[f64] {

@@ -5,6 +5,7 @@
 //! citation. Parameters are immutable (`&self`) and state is a value, so a run is a function of (parameters, terrain, seed,
 //! time step).
 
+mod changing;
 mod formula;
 mod history;
 mod outcome;
@@ -18,6 +19,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+pub use changing::Changing;
 pub use formula::Formula;
 pub use history::{Event, Landscape};
 pub use outcome::{Budget, Outcome, Stopped};
@@ -139,7 +141,7 @@ pub trait Process<T: Terrain>: Params {
     ///
     /// # Errors
     /// What failed numerically.
-    fn begin(&self, _terrain: &T, _state: &mut Self::State) -> Result<()> {
+    fn begin(&self, _terrain: &T, _state: &mut Self::State, _at: &Step) -> Result<()> {
         Ok(())
     }
 

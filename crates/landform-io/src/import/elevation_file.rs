@@ -78,7 +78,7 @@ impl Generator<HeightField> for ElevationFile {
         if let Some(cell_size) = self.cell_size {
             field = resample(&field, &field.grid.with_cell_size(cell_size.si())?)?;
         }
-        self.outlets.apply(&mut field);
+        self.outlets.apply(&mut field, 0.0, context)?;
         Ok(field)
     }
 

@@ -3,8 +3,8 @@
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
 use landform_core::grid::{Domain, MASKED};
-use landform_core::parallel;
 use landform_core::terrain::NodeSurface;
+use landform_core::{math, parallel};
 
 /// Routes flow over the terrain as it is and leaves drainage area, lake depth, receiver and basin as fields.
 pub fn leave_drainage<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow: &mut Flow) {
@@ -25,4 +25,29 @@ pub fn leave_drainage<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow:
     fields.insert(&names::LAKE_DEPTH, depth);
     fields.insert(&names::RECEIVER, receiver);
     fields.insert(&names::BASIN, basin);
+}
+
+/// Area that χ refers to, m².
+const CHI_AREA: f64 = 1e6;
+
+/// Leaves the slope along the flow and χ as fields; `flow` is as [`leave_drainage`] left it. Sources: Perron & Royden (2013)
+/// for χ.
+pub fn leave_steepness<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow: &Flow, concavity: f64) {
+    let z = terrain.elevation();
+    let Ok(area) = terrain.fields().get(&names::DRAINAGE_AREA, "chi") else { return };
+    let (mut slope, mut chi) = (vec![0.0; z.len()], vec![0.0; z.len()]);
+    for &i in flow.order().iter().rev() {
+        let i = i as usize;
+        let r = flow.receivers()[i] as usize;
+        if r != i {
+            let length = domain.distance(i, flow.slots()[i]);
+            slope[i] = (z[i] - z[r]) / length;
+            chi[i] = chi[r] + math::pow(CHI_AREA / area[i], concavity) * length;
+        } else if domain.status()[i] == MASKED {
+            (slope[i], chi[i]) = (f64::NAN, f64::NAN);
+        }
+    }
+    let fields = terrain.fields_mut();
+    fields.insert(&names::CHANNEL_SLOPE, slope);
+    fields.insert(&names::CHI, chi);
 }

@@ -2,4 +2,4 @@
 
 mod drainage;
 
-pub use drainage::leave_drainage;
+pub use drainage::{leave_drainage, leave_steepness};

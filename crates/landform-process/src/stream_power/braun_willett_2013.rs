@@ -1,10 +1,11 @@
 //! The implicit sweep.
 //!
 //! # Sources
-//! Braun & Willett (2013): eq. 22 for n = 1, eqs. 23–24 (Newton) otherwise.
+//! Braun & Willett (2013): eq. 22 for n = 1, eqs. 23–24 (Newton) otherwise. Bell (thesis), eq. 3.7, for the talus slope: the
+//! seed's text is a rate law, taken here where a rate is given (implicitly, after the river's part); its code is a clamp.
 
 use landform_core::algo::flow::Flow;
-use landform_core::grid::Domain;
+use landform_core::grid::{Domain, NO_SLOT};
 use landform_core::math;
 use landform_core::verb::Resolved;
 
@@ -14,7 +15,34 @@ pub(super) struct Law {
     pub(super) slope_exponent: f64,
     /// Tangent of the talus angle.
     pub(super) greatest_slope: f64,
+    /// Distance (m) that a slope one above the talus slope gives way in the step; infinite for a clamp.
+    pub(super) relaxation: f64,
+    /// Level of the sea, below which no river sees; negative infinity without one.
+    pub(super) sea_level: f64,
+    /// Deposition coefficient G.
+    pub(super) deposition: f64,
     pub(super) dt: f64,
+}
+
+impl Law {
+    /// F of the erosion F (z − z_r)ⁿ in the step at a node with drainage area `area`, `length` from its receiver.
+    #[inline]
+    pub(super) fn strength(&self, erodibility: f64, area: f64, length: f64) -> f64 {
+        let strength = erodibility * self.dt * math::pow(area, self.area_exponent);
+        strength / if self.slope_exponent == 1.0 { length } else { math::pow(length, self.slope_exponent) }
+    }
+
+    /// What a drop of `drop` from a node to its receiver wears down to.
+    #[inline]
+    pub(super) fn worn(&self, drop: f64, strength: f64) -> f64 {
+        if self.slope_exponent == 1.0 { drop / (1.0 + strength) } else { newton(drop, strength, self.slope_exponent) }
+    }
+
+    /// How far the talus slope is reached in the step from above, 0 to 1.
+    #[inline]
+    pub(super) fn slide(&self, length: f64) -> f64 {
+        if self.relaxation.is_finite() { self.relaxation / (length + self.relaxation) } else { 1.0 }
+    }
 }
 
 /// Lowers every node towards its receiver, from the outlets upwards; returns the volume taken, m³. `area` is drainage area.
@@ -27,28 +55,26 @@ pub(super) fn sweep<D: Domain>(
     z: &mut [f64],
 ) -> f64 {
     let (slots, receivers) = (flow.slots(), flow.receivers());
-    let linear = law.slope_exponent == 1.0;
-    let (m, n) = (law.area_exponent, law.slope_exponent);
     let clamped = law.greatest_slope.is_finite();
     let mut volume = 0.0;
     for &i in flow.order().iter().rev() {
         let i = i as usize;
-        let (old, base) = (z[i], z[receivers[i] as usize]);
+        let (old, base) = (z[i], z[receivers[i] as usize].max(law.sea_level));
         // Outlets are their own receivers; lake floors lie at or below theirs.
-        if !(old > base) {
+        if !(old > base) || slots[i] == NO_SLOT {
             continue;
         }
         // Roots and divisions hide behind the wait for memory: a pass of their own would cost more, even on two threads.
         let length = domain.distance(i, slots[i]);
-        let strength = erodibility.at(i) * law.dt * math::pow(area[i], m);
-        let mut new = if linear {
-            let f = strength / length;
-            (old + f * base) / (1.0 + f)
+        let strength = law.strength(erodibility.at(i), area[i], length);
+        let mut new = if law.slope_exponent == 1.0 {
+            (old + strength * base) / (1.0 + strength)
         } else {
-            base + newton(old - base, strength / math::pow(length, n), n)
+            base + law.worn(old - base, strength)
         };
-        if clamped {
-            new = new.min(base + law.greatest_slope * length);
+        let limit = base + law.greatest_slope * length;
+        if clamped && new > limit {
+            new += (limit - new) * law.slide(length);
         }
         z[i] = new;
         volume += (old - new) * domain.area(i);

@@ -1,15 +1,17 @@
-//! Stream-power incision.
+//! Stream-power erosion and deposition.
 //!
-//! Rivers lower their beds at a rate set by drainage area and slope; hillslopes cannot stand steeper than the talus angle.
+//! Rivers lower their beds at a rate set by drainage area and slope, and may lay down again what they carry; hillslopes cannot
+//! stand steeper than the talus angle.
 //!
 //! # Model
-//! ∂z/∂t = −K Aᵐ Sⁿ, with S the slope to the receiver; base levels are held.
+//! ∂z/∂t = −K Aᵐ Sⁿ + (G/A) Q, with S the slope to the receiver and Q the sediment flux; base levels are held.
 //!
 //! | symbol | here | unit | meaning |
 //! |---|---|---|---|
 //! | K | `erodibility` | m^(1−2m)/s (n = 1) | how easily the bed is cut |
 //! | A | drainage area | m² | weighted by rainfall over its mean, if rainfall is given |
 //! | m, n | `area_exponent`, `slope_exponent` | – | exponents |
+//! | G | `deposition` | – | how readily sediment settles |
 //! | α | `talus_angle` | rad | steepest stable slope |
 //!
 //! # Method
@@ -18,35 +20,45 @@
 //! back to their elevation; then from the outlets upwards z ← (z + f z_r)/(1 + f), f = K Δt Aᵐ/L, with the
 //! receiver's *new* elevation (n = 1; a guarded Newton iteration otherwise), and z ≤ z_r + L tan α. First order in time and
 //! space, stable for any Δt, O(n). Ground under a lake's surface, which stands at or below its receiver, is left alone.
+//! With deposition, one linear system on the tree of rivers ([`yuan_2019`]).
+//!
+//! With outlets "sea" every node at or under sea level at the start of a step is an outlet in it; it is not held, so that
+//! uplift and subsidence move the shore, and rivers end at the surface of the water, not at its floor.
 //!
 //! # Limits
-//! Detachment-limited: what is cut leaves the domain. One receiver a node. On a raster drainage area follows eight directions.
+//! One receiver a node (drainage area alone can be shared). What reaches the sea or the border leaves the domain. On a raster
+//! drainage area follows eight directions.
 //!
 //! # Sources
-//! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Bell (thesis), eqs. 3.5–3.7. The seed's
-//! listing updates children from the receiver's old elevation, which is not the scheme that it states; its equation 3.7 is a
-//! rate law where its code is the clamp that is built here (validation notes 3.3).
+//! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Yuan et al. (2019) for deposition; Bell
+//! (thesis), eqs. 3.5–3.7. The seed's listing updates children from the receiver's old elevation, which is not the scheme
+//! that it states (validation notes 3.3).
 //!
 //! # Checked by
-//! `tests`: slope–area at every node (SP1), χ-linearity (SP3), z ∝ U/K (SP6), one long step = steady state (SP8), mass (SP11).
+//! `tests`: slope–area at every node (SP1, SP2), χ-linearity (SP3), the river of Hack's law (SP4), knickpoints (SP5), z ∝ U/K
+//! (SP6, SP7), one long step = steady state (SP8), order in time (SP9), rescaling (SP10), mass (SP11), (1 + G), the sea.
 
 mod braun_willett_2013;
 mod params;
 #[cfg(test)]
 mod tests;
+mod yuan_2019;
 
 use std::sync::Arc;
 
 use landform_core::algo::flow::{Flow, node_areas};
-use landform_core::grid::{BASE_LEVEL, Domain, MASKED};
+use landform_core::algo::outlets::at_or_under;
+use landform_core::field::names;
+use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
 use landform_core::terrain::NodeSurface;
 use landform_core::verb::{Change, Context, Process, Resolved, Step};
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::leave_drainage;
-use braun_willett_2013::{Law, sweep};
+use crate::mechanism::{leave_drainage, leave_steepness};
+use braun_willett_2013::sweep;
 pub use params::StreamPower;
+use yuan_2019::Sediment;
 
 /// Parameters on the nodes, base levels, and scratch.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -55,7 +67,7 @@ pub struct State<D> {
     erodibility: Resolved,
     /// Rainfall over its mean; none where it is uniform.
     rain: Option<Vec<f64>>,
-    /// Nodes held at a base level, and the level, m.
+    /// Nodes held at a base level, and the level, m; none with outlets at the sea.
     base: Vec<(u32, f64)>,
     #[serde(skip)]
     scratch: Scratch<D>,
@@ -69,20 +81,34 @@ struct Scratch<D> {
     weight: Vec<f64>,
     /// Accumulated weight.
     amount: Vec<f64>,
+    sediment: Sediment,
+    /// Rate of lowering in the last step, m/s.
+    erosion: Vec<f64>,
+    /// Level of the sea after the last step, m.
+    sea_level: f64,
 }
 
 impl<D> Default for Scratch<D> {
     fn default() -> Self {
-        Self { domain: None, flow: Flow::new(), weight: Vec::new(), amount: Vec::new() }
+        Self {
+            domain: None,
+            flow: Flow::new(),
+            weight: Vec::new(),
+            amount: Vec::new(),
+            sediment: Sediment::default(),
+            erosion: Vec::new(),
+            sea_level: 0.0,
+        }
     }
 }
 
 impl<D: Domain> State<D> {
-    fn prepare<T: NodeSurface<Domain = D>>(&mut self, terrain: &T) -> Arc<D> {
+    fn prepare<T: NodeSurface<Domain = D>>(&mut self, params: &StreamPower, terrain: &T) -> Arc<D> {
         if let Some(domain) = &self.scratch.domain {
             return domain.clone();
         }
         let domain = terrain.domain();
+        self.scratch.flow = Flow::by(params.descent);
         self.scratch.weight = node_areas(&*domain);
         if let Some(rain) = &self.rain {
             parallel::update(&mut self.scratch.weight, |i, w| *w *= rain[i]);
@@ -93,7 +119,17 @@ impl<D: Domain> State<D> {
 }
 
 impl<T: NodeSurface> Process<T> for StreamPower {
-    const WRITES: &'static [&'static str] = &["elevation", "basin", "drainage_area", "lake_depth", "receiver"];
+    const WRITES: &'static [&'static str] = &[
+        "elevation",
+        "basin",
+        "channel_slope",
+        "chi",
+        "drainage_area",
+        "erosion_rate",
+        "lake_depth",
+        "rainfall",
+        "receiver",
+    ];
     type State = State<T::Domain>;
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<Self::State> {
@@ -104,53 +140,98 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             return Err(Error::parameter("erodibility", format!("negative at node {i}"), "at least 0 everywhere"));
         }
         if let Some(outlets) = &self.outlets {
-            outlets.apply(terrain);
+            outlets.apply(terrain, self.sea_at(0.0).unwrap_or(0.0), context)?;
         }
-        let domain = terrain.domain();
+        let base = if self.ends_in_sea() { afloat(terrain) } else { base_levels(terrain)? };
         let rain = match &self.rainfall {
-            Some(rainfall) => relative_rain(&rainfall.resolve("rainfall", terrain, context)?, &*domain)?,
+            Some(rainfall) => {
+                let rain = rainfall.resolve("rainfall", terrain, context)?;
+                let relative = relative_rain(&rain, &*terrain.domain())?;
+                let all = parallel::map(terrain.elevation().len(), |i| rain.at(i));
+                terrain.fields_mut().insert(&names::RAINFALL, all);
+                relative
+            }
             None => None,
         };
-        let status = domain.status();
-        let base: Vec<_> = (0..status.len())
-            .filter(|&i| status[i] == BASE_LEVEL)
-            .map(|i| (i as u32, terrain.elevation()[i]))
-            .collect();
-        if base.is_empty() {
-            return Err(Error::parameter("outlets", "without a single node", "at least one node where water leaves"));
-        }
         Ok(State { erodibility, rain, base, scratch: Scratch::default() })
     }
 
-    fn begin(&self, terrain: &T, state: &mut Self::State) -> Result<()> {
-        let domain = state.prepare(terrain);
+    fn begin(&self, terrain: &T, state: &mut Self::State, at: &Step) -> Result<()> {
+        let mut domain = state.prepare(self, terrain);
+        if self.ends_in_sea() {
+            // The only other owner is the state itself, so nothing is copied after the first step.
+            state.scratch.domain = None;
+            let status = at_or_under(self.sea_at(at.time).unwrap_or(0.0), terrain);
+            Arc::make_mut(&mut domain).set_status(status);
+            state.scratch.domain = Some(domain.clone());
+        }
         let Scratch { flow, weight, amount, .. } = &mut state.scratch;
         amount.clone_from(weight);
         flow.route(&*domain, terrain.elevation(), amount);
+        if let Some(exponent) = self.multiple_flow {
+            amount.clone_from(weight);
+            flow.accumulate_multiple(&*domain, terrain.elevation(), exponent, amount);
+        }
         Ok(())
     }
 
     fn step(&self, terrain: &mut T, state: &mut Self::State, at: &Step) -> Result<Change> {
-        let domain = state.prepare(terrain);
-        let mut change = hold_base_level(terrain, &*domain, &state.base);
-        let Scratch { flow, amount, .. } = &mut state.scratch;
-        let law = Law {
-            area_exponent: self.area_exponent,
-            slope_exponent: self.slope_exponent,
-            greatest_slope: self.greatest_slope(),
-            dt: at.dt,
-        };
-        let eroded = sweep(&*domain, flow, &law, &state.erodibility, amount, terrain.elevation_mut());
-        change.eroded += eroded;
-        change.exported += eroded;
+        let domain = state.prepare(self, terrain);
+        let risen = self.sea_at(at.time + at.dt).zip(self.sea_at(0.0)).map_or(0.0, |(now, then)| now - then);
+        let mut change = hold_base_level(terrain, &*domain, &state.base, risen);
+        let Scratch { flow, amount, sediment, erosion, .. } = &mut state.scratch;
+        let floor = if self.ends_in_sea() { self.sea_at(at.time) } else { None };
+        let law = self.law(floor.unwrap_or(f64::NEG_INFINITY), at.dt);
+        let z = terrain.elevation_mut();
+        erosion.clear();
+        erosion.extend_from_slice(z);
+        if self.deposition > 0.0 {
+            change = change.plus(sediment.sweep(&*domain, flow, &law, &state.erodibility, amount, z));
+        } else {
+            let eroded = sweep(&*domain, flow, &law, &state.erodibility, amount, z);
+            change.eroded += eroded;
+            change.exported += eroded;
+        }
+        parallel::update(erosion, |i, e| *e = (*e - z[i]) / at.dt);
+        state.scratch.sea_level = self.sea_at(at.time + at.dt).unwrap_or(0.0);
         Ok(change)
     }
 
     fn finish(&self, terrain: &mut T, state: &mut Self::State) -> Result<()> {
-        let domain = state.prepare(terrain);
-        leave_drainage(terrain, &domain, &mut state.scratch.flow);
+        let mut domain = state.prepare(self, terrain);
+        if self.ends_in_sea() {
+            let status = at_or_under(state.scratch.sea_level, terrain);
+            terrain.set_status(Some(status));
+            domain = terrain.domain();
+        }
+        let flow = &mut state.scratch.flow;
+        leave_drainage(terrain, &domain, flow);
+        leave_steepness(terrain, &domain, flow, self.area_exponent / self.slope_exponent);
+        let erosion = std::mem::take(&mut state.scratch.erosion);
+        if !erosion.is_empty() {
+            terrain.fields_mut().insert(&names::EROSION_RATE, erosion);
+        }
         Ok(())
     }
+}
+
+/// Lets every node move: at the sea nothing is held.
+fn afloat<T: NodeSurface>(terrain: &mut T) -> Vec<(u32, f64)> {
+    let domain = terrain.domain();
+    let loose = domain.status().iter().map(|&s| if s == MASKED { MASKED } else { INTERIOR }).collect();
+    terrain.set_status(Some(loose));
+    Vec::new()
+}
+
+fn base_levels<T: NodeSurface>(terrain: &T) -> Result<Vec<(u32, f64)>> {
+    let domain = terrain.domain();
+    let status = domain.status();
+    let base: Vec<_> =
+        (0..status.len()).filter(|&i| status[i] == BASE_LEVEL).map(|i| (i as u32, terrain.elevation()[i])).collect();
+    if base.is_empty() {
+        return Err(Error::parameter("outlets", "without a single node", "at least one node where water leaves"));
+    }
+    Ok(base)
 }
 
 /// Rainfall over its area-weighted mean, so that erodibility keeps its meaning; none where it is uniform.
@@ -169,12 +250,12 @@ fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f6
     Ok(Some(parallel::map(rain.len(), |i| if valid(i) { rain[i] / mean } else { 0.0 })))
 }
 
-/// Puts base levels back to their elevation; what was above is carried away, what was below is supplied.
-fn hold_base_level<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, base: &[(u32, f64)]) -> Change {
+/// Puts base levels back to their elevation, `risen` since the start; what was above is carried away, what was below is supplied.
+fn hold_base_level<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, base: &[(u32, f64)], risen: f64) -> Change {
     let mut change = Change::default();
     let z = terrain.elevation_mut();
     for &(node, level) in base {
-        let node = node as usize;
+        let (node, level) = (node as usize, level + risen);
         let above = (z[node] - level) * domain.area(node);
         change.eroded += above.max(0.0);
         change.exported += above.max(0.0);

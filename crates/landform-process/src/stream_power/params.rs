@@ -1,11 +1,14 @@
 //! The words of stream power.
 
+use landform_core::algo::flow::Descent;
 use landform_core::algo::outlets::Outlets;
-use landform_core::units::{Angle, Erodibility, ErodibilityDimension, RateDimension};
-use landform_core::verb::{Params, Source, Varying};
+use landform_core::units::{Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension};
+use landform_core::verb::{Changing, Params, Source, Varying};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use super::braun_willett_2013::Law;
 
 /// Rivers that cut their beds: dz/dt = -k A^m S^n, with lakes that spill over their lowest pass.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -24,12 +27,31 @@ pub struct StreamPower {
     /// Steepest slope that ground can stand at; none if not given.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Option<Angle>,
-    /// Rainfall; only its pattern matters, since area is weighted by rainfall over its mean. Uniform if not given.
+    /// Speed at which slopes above the talus angle give way, per unit of slope in excess; at once if not given.
+    #[schemars(extend("x-above" = 0.0))]
+    pub talus_relaxation: Option<Rate>,
+    /// Deposition coefficient G of Yuan et al.: sediment is laid down again as G times the flux over the drainage area.
+    /// 0 for rivers that carry everything away; rivers on sediment have about 0.2 to 2.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 100.0))]
+    pub deposition: f64,
+    /// Rainfall; area is weighted by rainfall over its mean, and the discharge of rivers follows from it. Uniform if not
+    /// given.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Varying<RateDimension>>,
-    /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low points of the border), or
-    /// a list of sides such as ["south"]. As the landscape has it, if not given.
+    /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low points of the border),
+    /// "sea" (every node at or under `sea_level`, as it comes and goes), a list of sides such as ["south"], parts of the
+    /// border by a map ({ border_where = map, below = 0.33 }), or any nodes by a map ({ mask = map }). As the landscape has
+    /// it, if not given.
     pub outlets: Option<Outlets>,
+    /// Sea level; may change in time. With outlets "sea" it is where rivers end (0 m if not given), elsewhere base levels
+    /// rise and fall with it.
+    pub sea_level: Option<Changing<LengthDimension>>,
+    /// Which lower neighbour receives a node's water.
+    pub descent: Descent,
+    /// Shares water among all lower neighbours, by slope to this power (Freeman: 1.1), for drainage area; all to one if not
+    /// given.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 20.0))]
+    pub multiple_flow: Option<f64>,
 }
 
 impl Default for StreamPower {
@@ -39,8 +61,13 @@ impl Default for StreamPower {
             area_exponent: 0.5,
             slope_exponent: 1.0,
             talus_angle: None,
+            talus_relaxation: None,
+            deposition: 0.0,
             rainfall: None,
             outlets: None,
+            sea_level: None,
+            descent: Descent::Steepest,
+            multiple_flow: None,
         }
     }
 }
@@ -63,21 +90,48 @@ impl Params for StreamPower {
             title: "Large scale terrain generation from tectonic uplift and fluvial erosion, Computer Graphics Forum 35(2)",
             doi: "10.1111/cgf.12820",
         },
+        Source {
+            authors: "Yuan et al. (2019)",
+            title: "A new efficient method to solve the stream power law model taking into account sediment deposition, JGR Earth Surface 124",
+            doi: "10.1029/2018JF004867",
+        },
+        Source {
+            authors: "Freeman (1991)",
+            title: "Calculating catchment area with divergent flow based on a regular grid, Computers & Geosciences 17(3)",
+            doi: "10.1016/0098-3004(91)90048-I",
+        },
     ];
 
     fn check(&self) -> Result<()> {
-        match &self.outlets {
-            Some(Outlets::Sides(sides)) if sides.is_empty() => {
-                Err(Error::parameter("outlets", "[]", "at least one side, for example [\"south\"]"))
-            }
-            _ => Ok(()),
+        if self.talus_relaxation.is_some() && self.talus_angle.is_none() {
+            return Err(Error::parameter("talus_relaxation", "given alone", "together with talus_angle"));
         }
+        self.outlets.as_ref().map_or(Ok(()), Outlets::check)
     }
 }
 
 impl StreamPower {
-    /// Tangent of the talus angle; infinite without one.
-    pub(super) fn greatest_slope(&self) -> f64 {
-        self.talus_angle.map_or(f64::INFINITY, |a| math::tan(a.si()))
+    /// The law of a step, with the sea at `sea_level`.
+    pub(super) fn law(&self, sea_level: f64, dt: f64) -> Law {
+        Law {
+            area_exponent: self.area_exponent,
+            slope_exponent: self.slope_exponent,
+            greatest_slope: self.talus_angle.map_or(f64::INFINITY, |a| math::tan(a.si())),
+            relaxation: self.talus_relaxation.map_or(f64::INFINITY, |speed| speed.si() * dt),
+            sea_level,
+            deposition: self.deposition,
+            dt,
+        }
+    }
+
+    /// Sea level at a time, if there is a sea.
+    pub(super) fn sea_at(&self, time: f64) -> Option<f64> {
+        let level = self.sea_level.as_ref().map(|s| s.at(time));
+        level.or(self.ends_in_sea().then_some(0.0))
+    }
+
+    /// Whether rivers end wherever they meet the sea.
+    pub(super) fn ends_in_sea(&self) -> bool {
+        self.outlets.as_ref().is_some_and(Outlets::is_sea)
     }
 }

@@ -24,13 +24,28 @@
 //! `tests`: every node drains, area is conserved, levels equal Priority-Flood exactly, numbering and threads do not matter.
 
 mod labels;
+mod multiple;
 mod order;
 mod passes;
 mod pits;
 mod tree;
 
-use crate::grid::{Domain, MASKED};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::grid::{Domain, INTERIOR, MASKED, NO_SLOT};
 use crate::parallel;
+
+/// Which of the lower neighbours receives a node's water.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Descent {
+    /// The one down the steepest slope.
+    #[default]
+    Steepest,
+    /// The one that lies lowest, however far (Bell's thesis); favours long links.
+    Lowest,
+}
 
 /// Receivers and order of all nodes; buffers are kept from call to call.
 #[derive(Clone, Debug, Default)]
@@ -43,12 +58,18 @@ pub struct Flow {
     marks: Vec<u8>,
     pits: Vec<u32>,
     lakes: usize,
+    descent: Descent,
 }
 
 impl Flow {
     /// Empty buffers.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Empty buffers, for another rule of descent.
+    pub fn by(descent: Descent) -> Self {
+        Self { descent, ..Self::default() }
     }
 
     /// Routes flow over `elevation` (NaN on masked nodes) and accumulates: on return `amount` holds, for each node, the sum
@@ -69,7 +90,10 @@ impl Flow {
             // Zeroed pages cost nothing until they are written.
             (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
         }
-        domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot);
+        match self.descent {
+            Descent::Steepest => domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot),
+            Descent::Lowest => lowest_descent(domain, elevation, &mut self.receiver, &mut self.slot),
+        }
         let pits = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
         self.lakes = pits.all;
         if pits.closed == 0 {
@@ -129,6 +153,26 @@ impl Flow {
         }
         basin
     }
+}
+
+/// Each interior node's lowest neighbour, if it is lower than the node.
+fn lowest_descent<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
+    let status = domain.status();
+    parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
+        for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
+            let node = first + k;
+            (*r, *s) = (node as u32, NO_SLOT);
+            if status[node] == INTERIOR {
+                let mut lowest = elevation[node];
+                for link in domain.neighbours(node) {
+                    if elevation[link.to] < lowest {
+                        lowest = elevation[link.to];
+                        (*r, *s) = (link.to as u32, link.slot);
+                    }
+                }
+            }
+        }
+    });
 }
 
 /// Area of every node, 0 where masked: what [`Flow::route`] turns into drainage area.

@@ -21,7 +21,12 @@ fn raster(rows: usize, cols: usize, edges: Edges) -> RasterDomain {
 }
 
 fn check<D: Domain>(domain: &D, z: &[f64]) {
-    let mut flow = Flow::new();
+    check_by(Descent::Steepest, domain, z);
+    check_by(Descent::Lowest, domain, z);
+}
+
+fn check_by<D: Domain>(descent: Descent, domain: &D, z: &[f64]) {
+    let mut flow = Flow::by(descent);
     let mut area = node_areas(domain);
     let total: f64 = area.iter().sum();
     flow.route(domain, z, &mut area);
@@ -41,6 +46,10 @@ fn check<D: Domain>(domain: &D, z: &[f64]) {
         }
     }
     assert!((at_outlets / total - 1.0).abs() < 1e-12);
+    let mut shared = node_areas(domain);
+    flow.accumulate_multiple(domain, z, 1.1, &mut shared);
+    let out: f64 = (0..z.len()).filter(|&i| flow.receivers()[i] as usize == i).map(|i| shared[i]).sum();
+    assert!((out / total - 1.0).abs() < 1e-9, "water shared among all ways down arrives: {out} of {total}");
     let (level, flood) = (flow.water_level(z), flood_levels(domain, z));
     for i in 0..z.len() {
         assert!(
@@ -184,4 +193,27 @@ fn basins_are_numbered_from_one() {
     let basins = flow.basins(domain.status());
     assert_eq!(basins.iter().max(), Some(&44), "one basin per border node");
     assert!(basins.iter().all(|&b| b > 0));
+}
+
+#[test]
+fn water_on_a_cone_spreads_evenly_and_not_along_eight_rays() {
+    // On a cone the drainage area per width is r/2 in every direction.
+    let n = 101;
+    let domain = raster(n, n, Edges::default());
+    let at = |i: usize| ((i % n) as f64 - 50.0, (i / n) as f64 - 50.0);
+    let z: Vec<f64> = (0..n * n).map(|i| -10.0 * (at(i).0.powi(2) + at(i).1.powi(2)).sqrt()).collect();
+    let (mut flow, mut single) = (Flow::new(), node_areas(&domain));
+    flow.route(&domain, &z, &mut single);
+    let mut shared = node_areas(&domain);
+    flow.accumulate_multiple(&domain, &z, 1.1, &mut shared);
+    let spread = |area: &[f64]| {
+        let ring: Vec<f64> = (0..n * n)
+            .filter(|&i| ((at(i).0.powi(2) + at(i).1.powi(2)).sqrt() - 40.0).abs() < 1.0)
+            .map(|i| area[i])
+            .collect();
+        let mean = ring.iter().sum::<f64>() / ring.len() as f64;
+        (ring.iter().map(|a| (a - mean).powi(2)).sum::<f64>() / ring.len() as f64).sqrt() / mean
+    };
+    let (one, all) = (spread(&single), spread(&shared));
+    assert!(all < 0.4 && one > 2.0 * all, "single {one}, multiple {all}");
 }

@@ -11,11 +11,14 @@ use landform_core::terrain::{HeightField, Mesh, NodeSurface};
 use landform_core::units::{Angle, Erodibility, KYR, Length, MYR, Rate, YEAR};
 use landform_core::verb::{Context, Generator, NoMaps, Resolved};
 
-use super::braun_willett_2013::{Law, sweep};
+use super::braun_willett_2013::sweep;
+use super::yuan_2019::Sediment;
 use super::*;
 use crate::generate::StreamGraph;
 use crate::hillslope::LinearDiffusion;
 use crate::uplift::Uplift;
+
+mod deposition;
 
 const U: f64 = 1e-3;
 const K: f64 = 1e-5;
@@ -140,7 +143,7 @@ fn one_endless_step_on_fixed_receivers_is_the_steady_state() {
     let mut z: Vec<f64> = (0..area.len())
         .map(|i| terrain.elevation()[i] + if domain.status()[i] == INTERIOR { U / YEAR * dt } else { 0.0 })
         .collect();
-    let law = Law { area_exponent: 0.5, slope_exponent: 1.0, greatest_slope: f64::INFINITY, dt };
+    let law = law(0.5, 1.0).law(f64::NEG_INFINITY, dt);
     sweep(&*domain, &flow, &law, &Resolved::Uniform(K / YEAR), &area, &mut z);
     for (new, old) in z.iter().zip(terrain.elevation()) {
         assert!((new - old).abs() <= 1e-9 * old.abs(), "{new} {old}");

@@ -1,0 +1,100 @@
+//! Deposition against its analytic steady state, its equation, and its budget.
+
+use super::*;
+
+fn settling(deposition: f64, m: f64, n: f64) -> StreamPower {
+    StreamPower { deposition, ..law(m, n) }
+}
+
+#[test]
+fn steady_slopes_grow_by_one_plus_g() {
+    // Validation notes 2.19: S = ((1 + G) U/K)^(1/n) A^(-m/n).
+    for (g, m, n) in [(0.5, 0.5, 1.0), (1.0, 0.5, 1.0), (2.0, 0.4, 1.0), (1.0, 0.6, 1.2), (0.7, 0.4, 0.8)] {
+        let terrain = steady(raster(32, 6), settling(g, m, n), 10.0 * MYR);
+        let mut errors: Vec<f64> = profile(&terrain, m / n)
+            .iter()
+            .map(|[area, slope, ..]| (K * math::pow(*area, m) * math::pow(*slope, n) / (U * (1.0 + g)) - 1.0).abs())
+            .collect();
+        errors.sort_by(f64::total_cmp);
+        let (median, most) = (errors[errors.len() / 2], errors[errors.len() * 99 / 100]);
+        assert!(median < 1e-10 && most < 1e-6, "G {g} m {m} n {n}: median {median:e}, 99 % {most:e}");
+    }
+}
+
+#[test]
+fn every_node_obeys_the_equation_of_the_step_and_sediment_is_conserved() {
+    // One step from rough ground with lakes, against the equation itself with fluxes summed anew.
+    for (n, talus) in [(1.0, None), (1.0, Some(20.0)), (1.6, None), (0.7, None)] {
+        let mut terrain = mesh(3_000);
+        terrain.elevation_mut().iter_mut().enumerate().for_each(|(i, z)| *z += 60.0 * Seed(2).uniform(i as u64));
+        let before = terrain.elevation().to_vec();
+        let params = StreamPower { talus_angle: talus.map(Angle::of), ..settling(0.8, 0.5, n) };
+        let (domain, dt) = (terrain.domain(), 50.0 * KYR);
+        let (mut flow, mut area) = (Flow::new(), node_areas(&*domain));
+        flow.route(&*domain, &before, &mut area);
+        assert!(flow.lakes() > 20);
+        let law = params.law(f64::NEG_INFINITY, dt);
+        let k = Resolved::Uniform(K / YEAR);
+        let change = Sediment::default().sweep(&*domain, &flow, &law, &k, &area, terrain.elevation_mut());
+        assert!(((change.eroded - change.deposited - change.exported) / change.eroded).abs() < 1e-12);
+        assert!(change.deposited > 0.01 * change.eroded && change.exported > 0.0);
+        let z = terrain.elevation();
+        let mut flux: Vec<f64> = (0..z.len()).map(|i| (before[i] - z[i]) * domain.area(i)).collect();
+        let level = flow.water_level(z);
+        for &i in flow.order() {
+            let r = flow.receivers()[i as usize] as usize;
+            if r != i as usize {
+                flux[r] += flux[i as usize];
+            }
+        }
+        let (mut rivers, mut drowned) = (0, 0);
+        for i in 0..z.len() {
+            let r = flow.receivers()[i] as usize;
+            if r == i {
+                continue;
+            }
+            assert!(flux[i] >= -1e-6 * change.eroded, "no node sends less than nothing");
+            let length = domain.distance(i, flow.slots()[i]);
+            let drop = z[i] - z[r];
+            let limit = law.greatest_slope * length;
+            assert!(drop <= limit * (1.0 + 1e-9));
+            let laid = law.deposition / area[i] * flux[i];
+            if z[i] > level[r] && drop < 0.999_999 * limit {
+                let worn = law.strength(K / YEAR, area[i], length) * math::pow(drop, n);
+                let wrong = (before[i] - z[i] - (worn - laid)).abs();
+                assert!(wrong < 1e-6, "n {n} node {i}: {wrong} m");
+                rivers += 1;
+            } else if z[i] < level[r] {
+                assert!((z[i] - before[i] - laid).abs() < 1e-6);
+                drowned += 1;
+            }
+        }
+        assert!(rivers > 500 && drowned > 5, "{rivers} {drowned}");
+    }
+}
+
+#[test]
+fn a_lake_is_filled_to_its_surface_and_no_higher() {
+    let n = 41;
+    let grid = Grid::new(Shape::new(n, n), [100.0, 100.0]).unwrap();
+    // A slope to the south with a hollow 60 m deep.
+    let z = (0..n * n).map(|i| {
+        let (row, col) = ((i / n) as f64, (i % n) as f64);
+        let hollow = ((row - 25.0).powi(2) + (col - 20.0).powi(2)).sqrt();
+        (40.0 - row) * 10.0 - 150.0 * (1.0 - hollow / 8.0).max(0.0)
+    });
+    let field = HeightField::new(grid, z.collect()).unwrap();
+    let run = |g: f64| {
+        let mut sim = Simulation::new(field.clone())
+            .process(StreamPower { deposition: g, ..law(0.5, 1.0) })
+            .unwrap()
+            .dt(20.0 * KYR)
+            .until(Stop::steps(10));
+        let outcome = sim.run().unwrap();
+        assert!(outcome.budget.imbalance() < 1e-9 && outcome.budget.sediment_imbalance() < 1e-9);
+        let depth = sim.terrain().fields.get(&names::LAKE_DEPTH, "").unwrap();
+        depth.iter().sum::<f64>()
+    };
+    let (bare, filled) = (run(0.0), run(2.0));
+    assert!(filled < 0.5 * bare, "{filled} of {bare}");
+}

@@ -1,0 +1,244 @@
+//! Erosion and deposition in one implicit step.
+//!
+//! # Model
+//! ∂z/∂t = U − K Aᵐ Sⁿ + (G/A) Q, with Q the sediment that leaves a node: all that was worn off upstream, its own included,
+//! less what was laid down there.
+//!
+//! # Method
+//! Let d be the net lowering of a node in the step. Its equation holds the receiver's d (through the slope) and its donors' d
+//! (through Q): a linear system on a tree, for n = 1. It is solved *directly*: from the leaves down, the flux out of a
+//! subtree is a linear function of the lowering of the node below, Q = α + β d_r; from the outlets up the d follow. O(n),
+//! without the iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up and the
+//! two passes repeated until no decision changes: slopes at the talus angle; floors of lakes, where nothing is worn off and
+//! fill stops at the water's surface; and, for n ≠ 1, the tangent of the law.
+//!
+//! Volumes are conserved by construction: Q is made of the d.
+//!
+//! # Sources
+//! Yuan, Braun, Guerit, Rouby & Cordonnier (2019), eqs. 5–9, who exclude the node's own cell from Q; here it is included, so that
+//! the steady slope is ((1 + G) U/K)^(1/n) A^(−m/n) exactly (validation notes 2.19). Davy & Lague (2009) for the ξ–q law behind it.
+
+use landform_core::algo::flow::Flow;
+use landform_core::grid::{Domain, NO_SLOT};
+use landform_core::math;
+use landform_core::verb::{Change, Resolved};
+
+use super::braun_willett_2013::Law;
+
+const MOST_ROUNDS: usize = 60;
+const TOLERANCE: f64 = 1e-11;
+
+/// What a node does in the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Regime {
+    /// The river wears and lays down.
+    River,
+    /// The slope above the receiver is at, or on its way to, the talus slope.
+    Talus,
+    /// Under water: only laying down.
+    Lake,
+    /// Filled, or worn, to the surface of the water.
+    Filled,
+}
+
+/// Buffers of the solver; empty until they are needed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sediment {
+    nodes: Vec<Node>,
+    /// What donors send: α and β.
+    upstream: Vec<[f64; 2]>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    /// Net lowering, m.
+    lowering: f64,
+    /// Drop to the receiver before the step, m.
+    drop: f64,
+    /// Drop at which the law's tangent is laid, for n ≠ 1.
+    at: f64,
+    /// Surface of the water at the node, m.
+    level: f64,
+    /// F of the law.
+    strength: f64,
+    regime: Regime,
+}
+
+impl Sediment {
+    /// Wears and lays down over `z`; `area` is drainage area.
+    pub(super) fn sweep<D: Domain>(
+        &mut self,
+        domain: &D,
+        flow: &Flow,
+        law: &Law,
+        erodibility: &Resolved,
+        area: &[f64],
+        z: &mut [f64],
+    ) -> Change {
+        let step = Step { domain, flow, law, area, before: z };
+        self.prepare(&step, erodibility);
+        for _ in 0..MOST_ROUNDS {
+            self.down(&step);
+            if !self.up(&step) {
+                break;
+            }
+        }
+        let mut change = Change::default();
+        for (i, z) in z.iter_mut().enumerate() {
+            let lowering = self.nodes[i].lowering;
+            *z -= lowering;
+            let volume = lowering * domain.area(i);
+            change.eroded += volume.max(0.0);
+            change.deposited += (-volume).max(0.0);
+            self.upstream[i][0] = volume;
+        }
+        for &i in flow.order() {
+            let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
+            if r == i {
+                change.exported += self.upstream[i][0];
+            } else {
+                self.upstream[r][0] += self.upstream[i][0];
+            }
+        }
+        change
+    }
+
+    /// Without deposition: the first guess.
+    fn prepare<D: Domain>(&mut self, step: &Step<'_, D>, erodibility: &Resolved) {
+        let Step { domain, flow, law, area, before } = *step;
+        let empty = Node { lowering: 0.0, drop: 0.0, at: 1.0, level: 0.0, strength: 0.0, regime: Regime::Lake };
+        self.nodes.clear();
+        self.nodes.resize(before.len(), empty);
+        self.upstream.resize(before.len(), [0.0; 2]);
+        for &i in flow.order().iter().rev() {
+            let i = i as usize;
+            let (r, slot) = (flow.receivers()[i] as usize, flow.slots()[i]);
+            if slot == NO_SLOT {
+                self.nodes[i].level = before[i].max(law.sea_level);
+                continue;
+            }
+            let below = self.nodes[r];
+            let length = domain.distance(i, slot);
+            let strength = law.strength(erodibility.at(i), area[i], length);
+            let base = (before[r] - below.lowering).max(law.sea_level);
+            let mut node = Node { drop: before[i] - base - below.lowering, strength, ..empty };
+            node.level = below.level.max(before[i]);
+            if before[i] > below.level {
+                let worn = law.worn(before[i] - base, strength);
+                let limit = law.greatest_slope * length;
+                let kept = if worn > limit { worn + (limit - worn) * law.slide(length) } else { worn };
+                node.regime = if worn > limit { Regime::Talus } else { Regime::River };
+                node.lowering = before[i] - base - kept;
+                node.level = base + kept;
+                node.at = worn;
+            }
+            self.nodes[i] = node;
+        }
+    }
+
+    /// From the leaves down: what each subtree sends, as a function of the lowering of the node below.
+    fn down<D: Domain>(&mut self, step: &Step<'_, D>) {
+        self.upstream.fill([0.0; 2]);
+        for &i in step.flow.order() {
+            let i = i as usize;
+            let r = step.flow.receivers()[i] as usize;
+            if r == i {
+                continue;
+            }
+            let [constant, factor] = step.lowering(i, &self.nodes[i], self.upstream[i]);
+            let [alpha, beta] = self.upstream[i];
+            let own = step.domain.area(i) + beta;
+            self.upstream[r][0] += alpha + own * constant;
+            self.upstream[r][1] += own * factor;
+        }
+    }
+
+    /// From the outlets up: lowering, and whether any node decides otherwise than before.
+    fn up<D: Domain>(&mut self, step: &Step<'_, D>) -> bool {
+        let Step { domain, flow, law, before, .. } = *step;
+        let mut changed = false;
+        for &i in flow.order().iter().rev() {
+            let i = i as usize;
+            let r = flow.receivers()[i] as usize;
+            if r == i {
+                continue;
+            }
+            let (below, upstream) = (self.nodes[r], self.upstream[i]);
+            let base = (before[r] - below.lowering).max(law.sea_level);
+            let was = self.nodes[i];
+            let mut node = Node { drop: before[i] - base - below.lowering, ..was };
+            let as_if = |regime: Regime, node: &Node| {
+                let [constant, factor] = step.lowering(i, &Node { regime, ..*node }, upstream);
+                constant + factor * below.lowering
+            };
+            let limit = law.greatest_slope * domain.distance(i, flow.slots()[i]);
+            node.regime = Regime::River;
+            node.lowering = as_if(Regime::River, &node);
+            let left = before[i] - node.lowering - base;
+            if before[i] - node.lowering <= below.level {
+                node.regime = Regime::Lake;
+                node.lowering = as_if(Regime::Lake, &node);
+                if before[i] - node.lowering > below.level {
+                    node.regime = Regime::Filled;
+                    node.lowering = before[i] - below.level;
+                }
+            } else if left > limit {
+                node.regime = Regime::Talus;
+                node.lowering = as_if(Regime::Talus, &node);
+            }
+            node.level = below.level.max(before[i] - node.lowering);
+            let risen = (node.level - was.level).abs() > TOLERANCE * (1.0 + node.level.abs());
+            changed |= node.regime != was.regime || (node.regime == Regime::Filled && risen);
+            if law.slope_exponent != 1.0 && matches!(node.regime, Regime::River | Regime::Talus) {
+                // Newton's next point must stay above the ground below.
+                node.at = left.max(0.1 * was.at);
+                changed |= (node.at - was.at).abs() > TOLERANCE * (node.at + was.at);
+            }
+            self.nodes[i] = node;
+        }
+        changed
+    }
+}
+
+/// Slope and intercept of the tangent of F xⁿ at x.
+fn tangent(law: &Law, strength: f64, x: f64) -> [f64; 2] {
+    let n = law.slope_exponent;
+    if n == 1.0 {
+        return [strength, 0.0];
+    }
+    let power = strength * math::pow(x.max(1e-9), n - 1.0);
+    [n * power, (1.0 - n) * power * x.max(1e-9)]
+}
+
+/// What does not change in the step.
+struct Step<'a, D> {
+    domain: &'a D,
+    flow: &'a Flow,
+    law: &'a Law,
+    area: &'a [f64],
+    before: &'a [f64],
+}
+
+impl<D: Domain> Step<'_, D> {
+    /// A node's lowering as a function of its receiver's: constant and factor.
+    fn lowering(&self, i: usize, node: &Node, [alpha, beta]: [f64; 2]) -> [f64; 2] {
+        let share = if self.area[i] > 0.0 { self.law.deposition / self.area[i] } else { 0.0 };
+        let own = 1.0 + share * (self.domain.area(i) + beta);
+        let river = || {
+            let [slope, intercept] = tangent(self.law, node.strength, node.at);
+            let all = own + slope;
+            [(slope * node.drop + intercept - share * alpha) / all, slope / all]
+        };
+        match node.regime {
+            Regime::River => river(),
+            Regime::Talus => {
+                let length = self.domain.distance(i, self.flow.slots()[i]);
+                let (slide, [constant, factor]) = (self.law.slide(length), river());
+                let slid = node.drop - self.law.greatest_slope * length;
+                [constant + slide * (slid - constant), factor + slide * (1.0 - factor)]
+            }
+            Regime::Lake => [-share * alpha / own, 0.0],
+            Regime::Filled => [node.lowering, 0.0],
+        }
+    }
+}
