@@ -65,6 +65,8 @@ macro_rules! dimension {
 
 dimension!(/// Length, in metres.
     LengthDimension, Length, "length", 1, 0, "m", 1.0, true, "50 m");
+dimension!(/// Area, in m².
+    AreaDimension, Area, "area", 2, 0, "m2", 1.0, true, "1 km2");
 dimension!(/// Time, in seconds; written in years.
     DurationDimension, Duration, "time", 0, 1, "yr", YEAR, false, "250 kyr");
 dimension!(/// Velocity, such as uplift, in m/s; written in mm/yr.

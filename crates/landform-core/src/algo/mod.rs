@@ -3,6 +3,8 @@
 pub mod depression;
 pub mod derivative;
 pub mod flow;
+pub mod network;
 pub mod noise;
 pub mod outlets;
+pub mod outline;
 pub mod sampling;

@@ -126,6 +126,41 @@ pub fn at_or_under<T: NodeSurface>(level: f64, terrain: &T) -> Vec<u8> {
     chosen(terrain, |i| terrain.elevation()[i] <= level)
 }
 
+/// The level of the sea, where base levels look like one: all at or under it, all other ground above. 0 m if it may be that,
+/// else the highest base level.
+pub fn sea_level(status: &[u8], elevation: &[f64]) -> Option<f64> {
+    let of = |kind: u8| (0..status.len()).filter(move |&i| status[i] == kind).map(|i| elevation[i]);
+    let (sea, land) = (of(BASE_LEVEL).fold(f64::NEG_INFINITY, f64::max), of(INTERIOR).fold(f64::INFINITY, f64::min));
+    (sea.is_finite() && sea < land).then_some(if sea <= 0.0 && land > 0.0 { 0.0 } else { sea })
+}
+
+/// Raises the water to the level of the sea at base levels below it that the sea does not reach: lagoons and hollows, which
+/// are lakes to whoever stands at their shore. The sea comes in over the border.
+pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_level: f64, water: &mut [f64]) {
+    let status = domain.status();
+    let [lo, hi] = terrain.bounds();
+    let near = 1e-6 * (hi[0] - lo[0]).max(hi[1] - lo[1]);
+    let on_border = |i: usize| {
+        let p = terrain.position(i);
+        (0..2).any(|k| p[k] - lo[k] <= near || hi[k] - p[k] <= near)
+    };
+    let is_water = |i: usize| status[i] == BASE_LEVEL && terrain.elevation()[i] < sea_level;
+    let mut open = vec![false; status.len()];
+    let mut stack: Vec<usize> = (0..status.len()).filter(|&i| is_water(i) && on_border(i)).collect();
+    stack.iter().for_each(|&i| open[i] = true);
+    while let Some(i) = stack.pop() {
+        for link in domain.neighbours(i) {
+            if !open[link.to] && is_water(link.to) {
+                open[link.to] = true;
+                stack.push(link.to);
+            }
+        }
+    }
+    for i in (0..status.len()).filter(|&i| is_water(i) && !open[i]) {
+        water[i] = sea_level;
+    }
+}
+
 /// Of the border's base levels stay the low points of the border at which water from inside leaves when all of it is open;
 /// the lowest of all, if there is none. A valley that enters from outside is no outlet.
 fn valleys<T: NodeSurface>(terrain: &T) -> Vec<u8> {

@@ -3,7 +3,9 @@
 mod hypsometry;
 mod slope_area;
 mod summary;
+mod waters;
 
 pub use hypsometry::{Hypsometry, hypsometry};
 pub use slope_area::{SlopeArea, slope_area};
 pub use summary::{Summary, summary};
+pub use waters::{Basin, Drainage, Lake, Polygon, RiverReach, Width, basins, lakes, rivers};

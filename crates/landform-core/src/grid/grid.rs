@@ -111,11 +111,23 @@ impl Grid {
     pub fn with_cell_size(&self, cell_size: f64) -> Result<Self> {
         let extent = self.extent();
         let size = [extent[0].max(self.spacing[0]), extent[1].max(self.spacing[1])];
-        let mut grid = Self::covering(size, cell_size)?;
-        grid.origin = self.origin;
-        grid.edges = self.edges;
-        grid.georeference = self.georeference.clone();
-        Ok(grid)
+        let grid = Self::covering(size, cell_size)?;
+        Ok(self.place(grid))
+    }
+
+    /// The same rectangle with another number of rows and columns.
+    ///
+    /// # Errors
+    /// As [`Grid::new`].
+    pub fn with_shape(&self, rows: usize, cols: usize) -> Result<Self> {
+        let spacing = |k: usize, n: usize| {
+            if n > 1 && self.extent()[k] > 0.0 { self.extent()[k] / (n - 1) as f64 } else { self.spacing[k] }
+        };
+        Ok(self.place(Self::new(Shape::new(rows, cols), [spacing(0, cols), spacing(1, rows)])?))
+    }
+
+    fn place(&self, grid: Self) -> Self {
+        Self { origin: self.origin, edges: self.edges, georeference: self.georeference.clone(), ..grid }
     }
 }
 

@@ -1,15 +1,16 @@
 //! From one representation to another: `target_from_source`.
 
 use super::{HeightField, Mesh, NodeSurface, height_field};
+use crate::algo::outlets::sea_level;
 use crate::field::{Fields, Values};
-use crate::grid::Grid;
+use crate::grid::{Domain, Grid, MASKED};
 use crate::{Result, parallel};
 
 /// A raster of a mesh: linear on each triangle for real fields, the nearest corner's value for identifiers.
 ///
 /// Nodes outside of the hull become nodata. **Cost** O(nodes + cells), after Bell's O(cells × kernel).
 ///
-/// `receiver`, which holds indices of nodes, is left behind.
+/// `receiver`, which holds indices of nodes, is left behind. Outlets that were chosen come along.
 ///
 /// # Errors
 /// As [`Grid::covering`].
@@ -48,8 +49,18 @@ pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField
         };
         fields.insert_values(name, values);
     }
-    let mut field = HeightField::new(grid, elevation)?;
+    let mut field = HeightField::new(grid.clone(), elevation)?;
     field.fields = fields;
+    if let Some(status) = mesh.chosen_status() {
+        let domain = field.domain();
+        let masked = |i: usize| domain.status()[i] == MASKED;
+        let chosen = match sea_level(status, mesh.elevation()) {
+            Some(level) => parallel::map(domain.len(), |i| u32::from(field.elevation()[i] <= level)),
+            None => nearest(&status.iter().map(|&v| u32::from(v)).collect::<Vec<_>>()),
+        };
+        let status = chosen.iter().enumerate().map(|(i, &s)| if masked(i) { MASKED } else { s as u8 }).collect();
+        field.set_status(Some(status));
+    }
     Ok(field)
 }
 

@@ -77,6 +77,12 @@ impl Mesh {
         &self.triangles
     }
 
+    /// The status of every node where it is not what the border says.
+    pub fn chosen_status(&self) -> Option<&[u8]> {
+        let status = self.graph.status();
+        (status != self.border.as_slice()).then_some(status)
+    }
+
     /// The graph of nodes and links.
     pub fn graph(&self) -> &Graph {
         &self.graph

@@ -4,6 +4,7 @@
 //! get their own files beside these.
 
 mod convert;
+mod gaussian;
 mod height_field;
 mod mesh;
 
@@ -13,6 +14,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use convert::{height_field_from_mesh, mesh_parts_from_height_field, resample};
+pub use gaussian::gaussian_from_mesh;
 pub use height_field::HeightField;
 pub use mesh::Mesh;
 

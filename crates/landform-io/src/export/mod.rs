@@ -1,6 +1,8 @@
 //! The stages that write files.
 
 mod measure_summary;
+mod write_features;
+mod write_heightmap;
 mod write_mesh;
 mod write_picture;
 mod write_raster;
@@ -13,6 +15,8 @@ use landform_core::grid::Domain;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, height_field_from_mesh};
 
 pub use measure_summary::MeasureSummary;
+pub use write_features::WriteFeatures;
+pub use write_heightmap::{Preset, WriteHeightmap};
 pub use write_mesh::WriteMesh;
 pub use write_picture::{ViewKind, WritePicture};
 pub use write_raster::WriteRaster;

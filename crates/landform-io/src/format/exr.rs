@@ -47,9 +47,22 @@ pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightFiel
 }
 
 pub(super) fn write(file: &RasterFile) -> Result<Vec<u8>> {
+    write_channels(file, &["Y"])
+}
+
+/// The values three times, as red, green and blue: for readers that take grey for something else.
+///
+/// # Errors
+/// [`Error::Format`].
+pub(crate) fn write_rgb(file: &RasterFile) -> Result<Vec<u8>> {
+    write_channels(file, &["R", "G", "B"])
+}
+
+fn write_channels(file: &RasterFile, names: &[&str]) -> Result<Vec<u8>> {
     let shape = file.grid.shape;
-    let samples = FlatSamples::F32(file.values.iter().map(|&v| v as f32).collect());
-    let channels = AnyChannels::sort(std::iter::once(AnyChannel::new("Y", samples)).collect());
+    let samples: Vec<f32> = file.values.iter().map(|&v| v as f32).collect();
+    let channel = |name: &&str| AnyChannel::new(Text::new_or_panic(name), FlatSamples::F32(samples.clone()));
+    let channels = AnyChannels::sort(names.iter().map(channel).collect());
     let attributes = LayerAttributes::named(Text::new_or_panic("elevation"));
     let layer = Layer::new((shape.cols, shape.rows), attributes, Encoding::SMALL_LOSSLESS, channels);
     let mut bytes = Cursor::new(Vec::new());

@@ -32,7 +32,7 @@ pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightFiel
 }
 
 /// The values as 16-bit steps over their range; nodata becomes the lowest.
-pub(super) fn quantize(file: &RasterFile) -> Vec<u16> {
+pub(crate) fn quantize(file: &RasterFile) -> Vec<u16> {
     let (min, max) = file.range();
     let scale = if max > min { STEPS / (max - min) } else { 0.0 };
     file.values

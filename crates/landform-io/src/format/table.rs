@@ -153,7 +153,7 @@ pub fn mesh_format(path: &Path) -> Result<&'static MeshFormat> {
     })
 }
 
-/// Reads a raster from disk, with its sidecar if there is one (`name.landform.json`, `name.ext.landform.json` or
+/// Reads a raster from disk, with its sidecar if there is one (`name.ext.landform.json`, `name.landform.json` or
 /// `name.json` beside it).
 ///
 /// # Errors
@@ -170,8 +170,8 @@ pub fn load_raster(path: &Path) -> Result<HeightField> {
 
 fn sidecar_paths(path: &Path) -> [PathBuf; 3] {
     [
-        path.with_extension("landform.json"),
         PathBuf::from(format!("{}.landform.json", path.display())),
+        path.with_extension("landform.json"),
         path.with_extension("json"),
     ]
 }

@@ -1,24 +1,44 @@
 //! From a mesh to a raster.
 
 use landform_core::Result;
-use landform_core::terrain::{HeightField, Mesh, height_field_from_mesh};
+use landform_core::algo::flow::Flow;
+use landform_core::field::names;
+use landform_core::terrain::{HeightField, Mesh, NodeSurface, gaussian_from_mesh, height_field_from_mesh};
 use landform_core::units::Length;
 use landform_core::verb::{Convert, Estimate, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Turns a mesh into a raster, linear on every triangle; fields come along.
+use crate::mechanism::leave_drainage;
+
+/// Turns a mesh into a raster; fields come along, linear on every triangle. Drainage area and basins are routed anew, so
+/// that rivers run through the raster's own valleys.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToHeightField {
     /// Distance between nodes; adjusted so that a whole number of cells fits.
     #[schemars(extend("x-above" = 0.0))]
     pub cell_size: Length,
+    /// How elevation is carried over.
+    pub method: Method,
+    /// Gaussian only: width of the kernel, in cells.
+    #[schemars(extend("x-min" = 0.3, "x-max" = 50.0))]
+    pub sigma: f64,
+}
+
+/// How elevation is carried over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// Linear on every triangle: slopes and ridges as they are.
+    Linear,
+    /// The mean of nodes under a Gaussian kernel (Bell's thesis): smooth, and lower on ridges.
+    Gaussian,
 }
 
 impl Default for ToHeightField {
     fn default() -> Self {
-        Self { cell_size: Length::of(50.0) }
+        Self { cell_size: Length::of(50.0), method: Method::Linear, sigma: 2.0 }
     }
 }
 
@@ -29,7 +49,21 @@ impl Params for ToHeightField {
 
 impl Convert<Mesh, HeightField> for ToHeightField {
     fn convert(&self, source: &Mesh) -> Result<HeightField> {
-        height_field_from_mesh(source, self.cell_size.si())
+        let mut field = height_field_from_mesh(source, self.cell_size.si())?;
+        if self.method == Method::Gaussian {
+            let smooth = gaussian_from_mesh(source, &field, self.sigma);
+            field.elevation_mut().copy_from_slice(&smooth);
+        }
+        if field.fields.get(&names::DRAINAGE_AREA, "").is_ok() {
+            let depth = field.fields.remove(names::LAKE_DEPTH.name);
+            let domain = field.domain();
+            leave_drainage(&mut field, &domain, &mut Flow::new());
+            // Between nodes there are hollows that the mesh has not.
+            if let Some(depth) = depth {
+                field.fields.insert_values(names::LAKE_DEPTH.name, depth);
+            }
+        }
+        Ok(field)
     }
 
     fn estimate(&self, source: Estimate) -> Estimate {

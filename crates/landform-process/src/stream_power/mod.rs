@@ -47,7 +47,7 @@ mod yuan_2019;
 use std::sync::Arc;
 
 use landform_core::algo::flow::{Flow, node_areas};
-use landform_core::algo::outlets::at_or_under;
+use landform_core::algo::outlets::{at_or_under, fill_inland_water};
 use landform_core::field::names;
 use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
 use landform_core::terrain::NodeSurface;
@@ -206,6 +206,13 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         }
         let flow = &mut state.scratch.flow;
         leave_drainage(terrain, &domain, flow);
+        if self.ends_in_sea() {
+            let mut water = flow.water_level(terrain.elevation());
+            fill_inland_water(terrain, &*domain, state.scratch.sea_level, &mut water);
+            let z = terrain.elevation();
+            let depth = parallel::map(z.len(), |i| water[i] - z[i]);
+            terrain.fields_mut().insert(&names::LAKE_DEPTH, depth);
+        }
         leave_steepness(terrain, &domain, flow, self.area_exponent / self.slope_exponent);
         let erosion = std::mem::take(&mut state.scratch.erosion);
         if !erosion.is_empty() {

@@ -1,7 +1,9 @@
 //! The only list of stages in the project.
 
 use landform_core::terrain::{HeightField, Mesh};
-use landform_io::export::{MeasureSummary, WriteMesh, WritePicture, WriteRaster, WriteReport};
+use landform_io::export::{
+    MeasureSummary, WriteFeatures, WriteHeightmap, WriteMesh, WritePicture, WriteRaster, WriteReport,
+};
 use landform_io::import::ElevationFile;
 use landform_process::edit::{Add, Drainage, FillDepressions, Resample, ToHeightField};
 use landform_process::generate::{Flat, Noise, SpectralFbm, StreamGraph};
@@ -35,6 +37,9 @@ pub static STAGES: &[Stage] = &[
     Stage::measure::<MeasureSummary, HeightField>(),
     Stage::measure::<MeasureSummary, Mesh>(),
     Stage::export::<WriteRaster, HeightField>(),
+    Stage::export::<WriteHeightmap, HeightField>(),
+    Stage::export::<WriteFeatures, HeightField>(),
+    Stage::export::<WriteFeatures, Mesh>(),
     Stage::export::<WriteMesh, Mesh>(),
     Stage::export::<WriteMesh, HeightField>(),
     Stage::export::<WritePicture, HeightField>(),

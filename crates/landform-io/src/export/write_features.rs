@@ -1,0 +1,197 @@
+//! Rivers, lakes and basins as a vector file.
+
+use std::borrow::Cow;
+
+use landform_core::analysis::{Basin, Drainage, Lake, Polygon, RiverReach, Width, basins, lakes, rivers};
+use landform_core::units::{Area, Length, Rate};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value as Json, json};
+
+use super::Drawable;
+
+/// Writes rivers as lines that only run downhill (x, y and the water's elevation), lakes and basins as polygons, with their
+/// properties: GeoJSON in the landscape's own metres.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct WriteFeatures {
+    /// Path below the output folder.
+    pub path: String,
+    /// Whether rivers are written.
+    pub rivers: bool,
+    /// Whether lakes are written.
+    pub lakes: bool,
+    /// Whether basins are written.
+    pub basins: bool,
+    /// Least drainage area of a river and of a basin; a two-thousandth of the map if not given.
+    #[schemars(extend("x-above" = 0.0))]
+    pub least_area: Option<Area>,
+    /// Least depth of a lake, where it is deepest.
+    #[schemars(extend("x-min" = 0.0))]
+    pub least_depth: Length,
+    /// Level of the sea, at which rivers end; at the landscape's own outlets if not given.
+    pub sea_level: Option<Length>,
+    /// Rainfall for discharge, where the landscape has no field of it; all of it runs off.
+    #[schemars(extend("x-min" = 0.0))]
+    pub rainfall: Rate,
+    /// Width of a river that carries 1 m3/s, m.
+    #[schemars(extend("x-above" = 0.0))]
+    pub width_coefficient: f64,
+    /// Power of the discharge with which width grows.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]
+    pub width_exponent: f64,
+}
+
+impl Default for WriteFeatures {
+    fn default() -> Self {
+        let width = Width::default();
+        Self {
+            path: "features.geojson".into(),
+            rivers: true,
+            lakes: true,
+            basins: true,
+            least_area: None,
+            least_depth: Length::of(1.0),
+            sea_level: None,
+            rainfall: Rate::of(1_000.0),
+            width_coefficient: width.coefficient,
+            width_exponent: width.exponent,
+        }
+    }
+}
+
+impl Params for WriteFeatures {
+    const NAME: &'static str = "write_features";
+    const SOURCES: &'static [Source] = &[
+        Source {
+            authors: "Strahler (1957)",
+            title: "Quantitative analysis of watershed geomorphology, Eos 38(6)",
+            doi: "10.1029/TR038i006p00913",
+        },
+        Source {
+            authors: "Moody & Troutman (2002)",
+            title: "Characterization of the spatial variability of channel morphology, Earth Surface Processes and Landforms 27",
+            doi: "10.1002/esp.403",
+        },
+    ];
+
+    fn check(&self) -> Result<()> {
+        relative_path(&self.path)?;
+        let known = [".geojson", ".json"].iter().any(|e| self.path.to_lowercase().ends_with(e));
+        if known {
+            Ok(())
+        } else {
+            Err(Error::parameter("path", format!("\"{}\"", self.path), "a name that ends with .geojson"))
+        }
+    }
+}
+
+impl<T: Drawable> Export<T> for WriteFeatures {
+    fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
+        let terrain = landscape.terrain;
+        let mut features = Vec::new();
+        let [lo, hi] = terrain.bounds();
+        let map = (hi[0] - lo[0]).max(1.0) * (hi[1] - lo[1]).max(1.0);
+        let least = self.least_area.map_or(map / 2_000.0, Area::si);
+        let (sea, rain) = (self.sea_level.map(Length::si), self.rainfall.si());
+        if self.rivers {
+            let drainage = Drainage::of(terrain, sea, rain);
+            let width = Width { coefficient: self.width_coefficient, exponent: self.width_exponent };
+            features.extend(rivers(terrain, &drainage, least, width).iter().map(river));
+        }
+        if self.lakes || self.basins {
+            let raster: Cow<'_, _> = terrain.raster()?;
+            let drainage = Drainage::of(&*raster, sea, rain);
+            if self.lakes {
+                let least_area = 4.0 * raster.grid.cell_area();
+                let found = lakes(&raster, &drainage, self.least_depth.si(), least_area);
+                features.extend(found.iter().enumerate().map(|(k, l)| lake(k, l)));
+            }
+            if self.basins {
+                features.extend(basins(&raster, &drainage, least).iter().enumerate().map(|(k, b)| basin(k, b)));
+            }
+        }
+        let mut collection = json!({ "type": "FeatureCollection", "name": landscape.title });
+        if let Some(epsg) = terrain.epsg() {
+            let name = format!("urn:ogc:def:crs:EPSG::{epsg}");
+            collection["crs"] = json!({ "type": "name", "properties": { "name": name } });
+        }
+        collection["features"] = features.into();
+        let text = serde_json::to_string(&collection).map_err(|e| Error::format("GeoJSON", e))?;
+        // One feature a line: small differences stay small.
+        out.put(&self.path, text.replace("{\"geometry\"", "\n{\"geometry\"").as_bytes())
+    }
+}
+
+/// To the centimetre; rounding keeps rivers from running uphill, for it keeps order.
+fn centimetres(v: f64) -> f64 {
+    (v * 100.0).round() / 100.0
+}
+
+/// Four digits.
+fn short(v: f64) -> f64 {
+    format!("{v:.3e}").parse().unwrap_or(v)
+}
+
+fn feature(geometry: &str, coordinates: Json, properties: Json) -> Json {
+    json!({ "geometry": { "type": geometry, "coordinates": coordinates }, "properties": properties, "type": "Feature" })
+}
+
+fn river(r: &RiverReach) -> Json {
+    let id = |(river, reach): (u32, u32)| format!("{river}.{reach}");
+    let points: Vec<_> = r.points.iter().map(|p| p.map(centimetres)).collect();
+    let (above, below) = (points[0][2], points[points.len() - 1][2]);
+    let properties = json!({
+        "kind": "river",
+        "id": id((r.river, r.reach)),
+        "river": r.river,
+        "reach": r.reach,
+        "flows_to": r.to.map(id),
+        "ends": match (r.to, r.leaves) { (Some(_), _) => "in a river", (None, true) => "at an outlet", _ => "in a hollow" },
+        "order": r.order,
+        "drainage_area_m2": short(r.area),
+        "discharge_m3_s": short(r.discharge),
+        "width_m": short(r.width),
+        "width_above_m": short(r.width_above),
+        "length_m": short(r.length),
+        "elevation_above_m": above,
+        "elevation_below_m": below,
+    });
+    feature("LineString", json!(points), properties)
+}
+
+fn rings(polygon: &Polygon) -> Json {
+    json!(polygon.iter().map(|ring| ring.iter().map(|p| p.map(centimetres)).collect()).collect::<Vec<Vec<_>>>())
+}
+
+fn lake(k: usize, l: &Lake) -> Json {
+    let properties = json!({
+        "kind": "lake",
+        "id": format!("lake {}", k + 1),
+        "level_m": centimetres(l.level),
+        "depth_m": centimetres(l.depth),
+        "mean_depth_m": centimetres(l.volume / l.area),
+        "area_m2": short(l.area),
+        "volume_m3": short(l.volume),
+        "outlet": l.outlet.map(|p| p.map(centimetres)),
+        "discharge_m3_s": short(l.discharge),
+    });
+    feature("Polygon", rings(&l.shore), properties)
+}
+
+fn basin(k: usize, b: &Basin) -> Json {
+    let [least, mean, greatest] = b.elevation.map(centimetres);
+    let properties = json!({
+        "kind": "basin",
+        "id": format!("basin {}", k + 1),
+        "area_m2": short(b.area),
+        "outlet": b.outlet.map(centimetres),
+        "lowest_m": least,
+        "mean_m": mean,
+        "highest_m": greatest,
+        "hypsometric_integral": short(b.hypsometric_integral),
+    });
+    feature("MultiPolygon", json!(b.outline.iter().map(rings).collect::<Vec<_>>()), properties)
+}

@@ -1,0 +1,278 @@
+//! What each engine wants.
+//!
+//! # Sources
+//! Epic's technical guide to landscapes (sizes, 1/128 unit a step at scale 100), Unity's TerrainData (sizes, 16-bit RAW from
+//! the south), Terrain3D's guide to importing (EXR in metres, three channels), as noted in ADR 12.
+
+use landform_core::Result;
+use landform_core::terrain::NodeSurface;
+
+use super::{Heights, Preset};
+use crate::format::{Sidecar, mesh_file_from_height_field, mesh_format, quantize, raster_format, write_exr_rgb};
+
+/// Sizes that an engine takes.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sizes {
+    /// Squares of so many nodes.
+    OneOf(&'static [usize]),
+    /// Any, with one spacing for both axes.
+    AnySquareCells,
+}
+
+/// An engine.
+pub(super) struct Engine {
+    /// The preset's word.
+    pub(super) word: &'static str,
+    /// Name.
+    name: &'static str,
+    /// Extensions that it reads.
+    pub(super) extensions: &'static [&'static str],
+    /// Sizes that it takes.
+    pub(super) sizes: Sizes,
+    /// The file.
+    pub(super) write: fn(&Heights) -> Result<Vec<u8>>,
+    /// The numbers to type, and where.
+    steps: fn(&Heights) -> String,
+    /// What the raw numbers mean, for programs.
+    pub(super) sidecar: fn(&Heights) -> Option<Sidecar>,
+}
+
+const UNREAL_SIZES: &[usize] = &[127, 253, 505, 1009, 2017, 4033, 8129];
+const UNITY_SIZES: &[usize] = &[33, 65, 129, 257, 513, 1025, 2049, 4097];
+const STEPS: f64 = 65_535.0;
+
+pub(super) fn engine(preset: Preset) -> &'static Engine {
+    match preset {
+        Preset::Unreal => &UNREAL,
+        Preset::Unity => &UNITY,
+        Preset::Godot => &GODOT,
+        Preset::Blender => &BLENDER,
+        Preset::Gis => &GIS,
+    }
+}
+
+static UNREAL: Engine = Engine {
+    word: "unreal",
+    name: "Unreal Engine (Landscape)",
+    extensions: &["png", "r16"],
+    sizes: Sizes::OneOf(UNREAL_SIZES),
+    write: by_extension,
+    steps: unreal_steps,
+    sidecar: steps_of_range,
+};
+
+static UNITY: Engine = Engine {
+    word: "unity",
+    name: "Unity (Terrain)",
+    extensions: &["raw"],
+    sizes: Sizes::OneOf(UNITY_SIZES),
+    write: |heights| {
+        // Unity reads the first row as the south edge.
+        let samples = quantize(&heights.file());
+        let rows = samples.chunks(heights.field.grid.shape.cols).rev();
+        Ok(rows.flatten().flat_map(|v| v.to_le_bytes()).collect())
+    },
+    steps: unity_steps,
+    sidecar: |heights| {
+        let sidecar = steps_of_range(heights)?;
+        Some(Sidecar { row_order: Some("south to north".into()), ..sidecar })
+    },
+};
+
+static GODOT: Engine = Engine {
+    word: "godot",
+    name: "Godot (Terrain3D)",
+    extensions: &["exr", "r16"],
+    sizes: Sizes::AnySquareCells,
+    write: |heights| {
+        if heights.extension == "exr" { write_exr_rgb(&heights.file()) } else { by_extension(heights) }
+    },
+    steps: godot_steps,
+    sidecar: |heights| if heights.extension == "exr" { metres(heights) } else { steps_of_range(heights) },
+};
+
+static BLENDER: Engine = Engine {
+    word: "blender",
+    name: "Blender",
+    extensions: &["exr", "glb"],
+    sizes: Sizes::AnySquareCells,
+    write: |heights| {
+        if heights.extension == "glb" {
+            let format = mesh_format(std::path::Path::new("x.glb"))?;
+            (format.write)(&mesh_file_from_height_field(&heights.field))
+        } else {
+            by_extension(heights)
+        }
+    },
+    steps: blender_steps,
+    sidecar: |heights| if heights.extension == "exr" { metres(heights) } else { None },
+};
+
+static GIS: Engine = Engine {
+    word: "gis",
+    name: "GIS (QGIS, ArcGIS, GDAL)",
+    extensions: &["tif", "tiff"],
+    sizes: Sizes::AnySquareCells,
+    write: by_extension,
+    steps: gis_steps,
+    sidecar: |_| None,
+};
+
+fn by_extension(heights: &Heights) -> Result<Vec<u8>> {
+    (raster_format(std::path::Path::new(heights.file))?.write)(&heights.file())
+}
+
+fn steps_of_range(heights: &Heights) -> Option<Sidecar> {
+    Some(Sidecar::describe(&heights.file(), Some(STEPS)))
+}
+
+fn metres(heights: &Heights) -> Option<Sidecar> {
+    Some(Sidecar::describe(&heights.file(), None))
+}
+
+impl Engine {
+    /// The import card, in Markdown.
+    pub(super) fn card(&self, heights: &Heights) -> String {
+        let grid = &heights.field.grid;
+        let ([cols, rows], [w, h]) = ([grid.shape.cols, grid.shape.rows], grid.extent());
+        let [least, greatest] = heights.range;
+        let mut card = format!(
+            "# {}: import card for {}\n\n`{}`, seed {}, written by landform {}.\n\n| | |\n|---|---|\n\
+             | nodes | {cols} x {rows} |\n| extent | {} m x {} m (east, north) |\n| spacing | {} m x {} m |\n\
+             | heights | {} m to {} m |\n\n",
+            self.name,
+            heights.title,
+            heights.file,
+            heights.seed,
+            env!("CARGO_PKG_VERSION"),
+            digits(w),
+            digits(h),
+            digits(grid.spacing[0]),
+            digits(grid.spacing[1]),
+            digits(least),
+            digits(greatest),
+        );
+        card += &(self.steps)(heights);
+        if [cols, rows] != heights.from {
+            let [c, r] = heights.from;
+            card += &format!(
+                "\nThe landscape has {c} x {r} nodes; it was resampled, bilinearly, to a size that fits here.\n"
+            );
+        }
+        if heights.filled > 0 {
+            card += &format!("\n{} nodes without data were given the least height.\n", heights.filled);
+        }
+        card
+    }
+}
+
+/// Seven digits at most, without trailing zeros.
+fn digits(v: f64) -> String {
+    let text = format!("{v:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// Location and scale that bring raw steps back to metres in Unreal: Z location (cm), Z scale, and Z scale by Epic's text.
+pub(super) fn unreal_numbers([least, greatest]: [f64; 2]) -> [f64; 3] {
+    // One step is 1/128 cm times the scale; step 32768 is the actor's own height.
+    let scale = 100.0 * (greatest - least).max(1e-3) / (STEPS / 128.0);
+    [100.0 * least + 256.0 * scale, scale, (greatest - least).max(1e-3) * 100.0 * 0.001_953_125]
+}
+
+fn unreal_steps(heights: &Heights) -> String {
+    let grid = &heights.field.grid;
+    let [location, scale, epic] = unreal_numbers(heights.range);
+    let [sx, sy] = [grid.spacing[0] * 100.0, grid.spacing[1] * 100.0];
+    format!(
+        "1. Landscape mode, Manage, New, *Import from File*; choose `{}`.\n\
+         2. Type these numbers, then *Import*:\n\n\
+         | field | X | Y | Z |\n|---|---|---|---|\n| Location | 0 | 0 | {} |\n| Scale | {} | {} | {} |\n\n\
+         Sections and components are set by the size ({} quads a side): accept what the dialog proposes. Sea level (0 m) is then at Z = 0. \
+         North is up in the file and lies towards -Y in the level; east is +X. (By Epic's rounded text the Z scale is {}.)\n",
+        heights.file,
+        digits(location),
+        digits(sx),
+        digits(sy),
+        format_args!("{scale:.6}"),
+        grid.shape.cols - 1,
+        format_args!("{epic:.6}"),
+    )
+}
+
+fn unity_steps(heights: &Heights) -> String {
+    let grid = &heights.field.grid;
+    let ([w, h], [least, greatest]) = (grid.extent(), heights.range);
+    format!(
+        "1. Terrain, Settings, Texture Resolutions, *Import Raw*; choose `{}`.\n\
+         2. Type these numbers, then *Import*:\n\n\
+         | field | value |\n|---|---|\n| Depth | Bit 16 |\n| Resolution | {} |\n| Byte Order | Windows |\n| Flip Vertically | off |\n\
+         | Terrain Size X, Y, Z | {}, {}, {} |\n\n\
+         3. Transform, Position Y: {}. Sea level (0 m) is then at Y = 0.\n\n\
+         The first row of the file is the south edge, as Unity expects; north is +Z, east +X.\n",
+        heights.file,
+        grid.shape.cols,
+        digits(w),
+        digits(greatest - least),
+        digits(h),
+        digits(least),
+    )
+}
+
+fn godot_steps(heights: &Heights) -> String {
+    let grid = &heights.field.grid;
+    let longer = grid.shape.cols.max(grid.shape.rows);
+    let region = [64, 128, 256, 512, 1024, 2048].into_iter().find(|r| r * 32 >= longer).unwrap_or(2048).max(256);
+    let range = if heights.extension == "exr" {
+        "| Import Scale, Offset | 1, 0 (the file holds metres) |".to_string()
+    } else {
+        let [least, greatest] = heights.range;
+        format!(
+            "| R16 Range | {}, {} |\n| R16 Size | {}, {} |",
+            digits(least),
+            digits(greatest),
+            grid.shape.cols,
+            grid.shape.rows
+        )
+    };
+    format!(
+        "1. Open Terrain3D's importer scene; *Height File Name*: `{}`.\n\
+         2. Type these numbers, then *Run Import*:\n\n\
+         | field | value |\n|---|---|\n{range}\n| Vertex Spacing | {} |\n| Region Size | {region} (or larger) |\n\n\
+         Sea level (0 m) is then at Y = 0. North is up in the file and lies towards -Z; east is +X. A 16-bit PNG would be read with 8 bits: use this file.\n",
+        heights.file,
+        digits(grid.spacing[0]),
+    )
+}
+
+fn blender_steps(heights: &Heights) -> String {
+    let grid = &heights.field.grid;
+    let [w, h] = grid.extent();
+    if heights.extension == "glb" {
+        return "1. File, Import, glTF 2.0; choose the file. Units are metres, Z is up after import, north is +Y.\n"
+            .into();
+    }
+    format!(
+        "1. Add a grid (Mesh, Grid) with {} x {} subdivisions, size 1 m, and scale it to {} x {} m.\n\
+         2. Add a Displace modifier; new texture, image `{}`, colour space *Non-Color*; direction Z, coordinates UV, \
+         **Midlevel 0, Strength 1**. The file holds metres. North is +Y.\n",
+        grid.shape.cols - 1,
+        grid.shape.rows - 1,
+        digits(w),
+        digits(h),
+        heights.file,
+    )
+}
+
+fn gis_steps(heights: &Heights) -> String {
+    let grid = &heights.field.grid;
+    let place = match heights.field.epsg() {
+        Some(code) => format!("EPSG:{code}"),
+        None => "none: local metres, for this land is on no map. Choose any metric system when asked.".into(),
+    };
+    format!(
+        "1. Drag the file into the map. Float32 metres, nodata -9999, deflate with predictor 3, tiles of 512.\n\n\
+         | | |\n|---|---|\n| coordinate system | {place} |\n| first node (x, y) | {}, {} |\n| registration | point: the value is at the node |\n",
+        digits(grid.origin[0]),
+        digits(grid.origin[1]),
+    )
+}
