@@ -194,15 +194,8 @@ pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth
     let label = label_regions(field.grid.shape, |i| level[i] > z[i], |i, j| level[i] == level[j]);
     let rings = outlines(field.grid.shape, &label);
     let cell = field.grid.cell_area();
-    let empty = Lake {
-        level: f64::NAN,
-        depth: 0.0,
-        area: 0.0,
-        volume: 0.0,
-        outlet: None,
-        discharge: 0.0,
-        shore: Vec::new(),
-    };
+    let empty =
+        Lake { level: f64::NAN, depth: 0.0, area: 0.0, volume: 0.0, outlet: None, discharge: 0.0, shore: Vec::new() };
     let mut lakes = vec![empty; rings.len()];
     for i in (0..z.len()).filter(|&i| label[i] != 0) {
         let lake = &mut lakes[label[i] as usize - 1];

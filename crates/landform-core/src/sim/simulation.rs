@@ -15,6 +15,10 @@ use crate::{Error, Result, parallel};
 
 /// A run until steady that says no `max_steps` gives up here.
 const MOST_STEPS_WITHOUT_END: u64 = 10_000;
+/// Residual of a coarse level that a finer one starts from.
+const ENOUGH_FOR_THE_NEXT_LEVEL: f64 = 1e-6;
+/// A coarse level that takes longer is left as it is.
+const MOST_STEPS_A_LEVEL: usize = 100;
 
 /// What an observer sees.
 #[derive(Debug)]
@@ -46,6 +50,7 @@ pub struct Simulation<'a, T: Terrain> {
     processes: Vec<Box<dyn Running<T>>>,
     dt: f64,
     stop: Stop,
+    refine: u32,
     seed: Seed,
     maps: &'a dyn Maps,
     observers: Vec<(Every, Instant, Observer<'a, T>)>,
@@ -80,6 +85,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
             processes: Vec::new(),
             dt: 0.0,
             stop: Stop::default(),
+            refine: 0,
             seed: Seed::default(),
             maps: &NoMaps,
             observers: Vec::new(),
@@ -113,8 +119,20 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     where
         'a: 'b,
     {
-        let Self { terrain, processes, dt, stop, seed, maps, cancel, clock, .. } = self;
-        Simulation { terrain, processes, dt, stop, seed, maps, observers: Vec::new(), saver: None, cancel, clock }
+        let Self { terrain, processes, dt, stop, refine, seed, maps, cancel, clock, .. } = self;
+        Simulation {
+            terrain,
+            processes,
+            dt,
+            stop,
+            refine,
+            seed,
+            maps,
+            observers: Vec::new(),
+            saver: None,
+            cancel,
+            clock,
+        }
     }
 
     /// The clock's step, s.
@@ -126,6 +144,13 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     /// When to stop.
     pub fn until(mut self, stop: Stop) -> Self {
         self.stop = stop;
+        self
+    }
+
+    /// Brings terrains of so many coarser levels to a steady state first, each from the one before, and starts from the
+    /// last: for steady states alone, since the way there is no history.
+    pub fn refine(mut self, levels: u32) -> Self {
+        self.refine = levels;
         self
     }
 
@@ -207,7 +232,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     pub fn run(&mut self) -> Result<Outcome> {
         self.check_clock()?;
         if !self.clock.started {
-            self.start()?;
+            self.start_from_coarse()?;
         }
         let stopped = loop {
             if let Some(stopped) = self.reason_to_stop() {
@@ -237,6 +262,51 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         }
         if self.stop.time.is_none() && self.stop.steady.is_none() && self.stop.steps.is_none() {
             return Err(Error::parameter("clock", "without end", "`duration`, `until = \"steady\"` or `max_steps`"));
+        }
+        Ok(())
+    }
+
+    /// Starts, with the shape that coarser levels came to. Observers see nothing of those.
+    fn start_from_coarse(&mut self) -> Result<()> {
+        let mut levels: Vec<T> = Vec::new();
+        for _ in 0..self.refine {
+            match levels.last().unwrap_or(&self.terrain).coarser() {
+                Some(coarser) => levels.push(coarser),
+                None => break,
+            }
+        }
+        let mut coarse: Option<T> = None;
+        while let Some(level) = levels.pop() {
+            let fine = std::mem::replace(&mut self.terrain, level);
+            self.start_shaped(coarse.as_ref())?;
+            self.settle()?;
+            coarse = Some(std::mem::replace(&mut self.terrain, fine));
+            if self.cancel.is_cancelled() {
+                // Nothing has begun yet: whoever resumes begins here.
+                self.clock = Clock::default();
+                return Ok(());
+            }
+        }
+        self.start_shaped(coarse.as_ref())
+    }
+
+    fn start_shaped(&mut self, coarse: Option<&T>) -> Result<()> {
+        self.start()?;
+        if let Some(coarse) = coarse {
+            self.terrain.take_elevation_of(coarse);
+            self.clock.volume_start = self.terrain.volume();
+        }
+        Ok(())
+    }
+
+    /// Steps without anyone looking, until a coarse level is steady enough to start a finer one.
+    fn settle(&mut self) -> Result<()> {
+        let goal = self.stop.steady.unwrap_or(ENOUGH_FOR_THE_NEXT_LEVEL).max(ENOUGH_FOR_THE_NEXT_LEVEL);
+        for _ in 0..MOST_STEPS_A_LEVEL {
+            if self.cancel.is_cancelled() || self.clock.residual.is_some_and(|r| r <= goal) {
+                break;
+            }
+            self.step(self.next_dt())?;
         }
         Ok(())
     }
@@ -291,6 +361,11 @@ impl<'a, T: Terrain> Simulation<'a, T> {
 
     fn advance(&mut self) -> Result<ControlFlow<()>> {
         let dt = self.next_dt();
+        let change = self.step(dt)?;
+        self.look(dt, change)
+    }
+
+    fn step(&mut self, dt: f64) -> Result<Change> {
         let before = self.stop.steady.map(|_| self.terrain.watched().to_vec());
         let (clock, seed, cancel) = (self.clock, self.seed, &self.cancel);
         let at = |k: usize| Step {
@@ -319,7 +394,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         let time = self.clock.time + dt;
         let steps = self.clock.steps + 1;
         self.clock = Clock { steps, time, residual, change: self.clock.change.plus(change), ..self.clock };
-        self.look(dt, change)
+        Ok(change)
     }
 
     fn look(&mut self, dt: f64, change: Change) -> Result<ControlFlow<()>> {
@@ -349,7 +424,10 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     }
 }
 
+/// The greatest change over what supply would have raised, or over the relief where a long step would have raised more.
 fn residual(before: &[f64], after: &[f64], raised: f64) -> f64 {
     let greatest = parallel::max(after.len(), |i| (after[i] - before[i]).abs()).max(0.0);
-    if raised > 0.0 { greatest / raised } else { greatest }
+    let relief = parallel::max(after.len(), |i| after[i]) + parallel::max(after.len(), |i| -after[i]);
+    let scale = if relief > 0.0 { raised.min(relief) } else { raised };
+    if scale > 0.0 { greatest / scale } else { greatest }
 }

@@ -15,20 +15,9 @@ use crate::{Result, parallel};
 /// # Errors
 /// As [`Grid::covering`].
 pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField> {
-    let [lo, hi] = mesh.bounds();
-    let mut grid = Grid::covering([hi[0] - lo[0], hi[1] - lo[1]], cell_size)?;
-    grid.origin = [lo[0], hi[1]];
+    let grid = grid_over(mesh, cell_size)?;
     let triangle = locate(mesh, &grid);
-    let linear = |values: &[f64]| {
-        parallel::map(grid.len(), |i| match triangle[i] {
-            u32::MAX => f64::NAN,
-            t => {
-                let corners = mesh.triangles()[t as usize];
-                let weights = barycentric(mesh, corners, grid.position(i));
-                (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum()
-            }
-        })
-    };
+    let linear = |values: &[f64]| linear(mesh, &grid, &triangle, values);
     let nearest = |values: &[u32]| {
         parallel::map(grid.len(), |i| match triangle[i] {
             u32::MAX => 0,
@@ -62,6 +51,35 @@ pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField
         field.set_status(Some(status));
     }
     Ok(field)
+}
+
+/// Elevation of a mesh alone on a raster over its bounds, linear on each triangle.
+///
+/// # Errors
+/// As [`Grid::covering`].
+pub(super) fn elevation_raster(mesh: &Mesh, cell_size: f64) -> Result<(Grid, Vec<f64>)> {
+    let grid = grid_over(mesh, cell_size)?;
+    let triangle = locate(mesh, &grid);
+    let z = linear(mesh, &grid, &triangle, mesh.elevation());
+    Ok((grid, z))
+}
+
+fn grid_over(mesh: &Mesh, cell_size: f64) -> Result<Grid> {
+    let [lo, hi] = mesh.bounds();
+    let mut grid = Grid::covering([hi[0] - lo[0], hi[1] - lo[1]], cell_size)?;
+    grid.origin = [lo[0], hi[1]];
+    Ok(grid)
+}
+
+fn linear(mesh: &Mesh, grid: &Grid, triangle: &[u32], values: &[f64]) -> Vec<f64> {
+    parallel::map(grid.len(), |i| match triangle[i] {
+        u32::MAX => f64::NAN,
+        t => {
+            let corners = mesh.triangles()[t as usize];
+            let weights = barycentric(mesh, corners, grid.position(i));
+            (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum()
+        }
+    })
 }
 
 fn barycentric(mesh: &Mesh, corners: [u32; 3], p: [f64; 2]) -> [f64; 3] {

@@ -48,6 +48,11 @@ impl HeightField {
         Ok(Self { grid, elevation, valid: Arc::new(valid), status: None, fields: Fields::default() })
     }
 
+    /// The status of every node where it is not what the edges say.
+    pub fn chosen_status(&self) -> Option<&[u8]> {
+        self.status.as_deref().map(Vec::as_slice)
+    }
+
     /// Whether a node has data.
     pub fn is_valid(&self, node: usize) -> bool {
         self.valid.get(node).copied().unwrap_or(true)
@@ -96,6 +101,14 @@ impl Terrain for HeightField {
 
     fn watched(&self) -> &[f64] {
         &self.elevation
+    }
+
+    fn coarser(&self) -> Option<Self> {
+        self.quarter()
+    }
+
+    fn take_elevation_of(&mut self, coarse: &Self) {
+        self.take_from(coarse);
     }
 }
 

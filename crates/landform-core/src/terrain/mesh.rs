@@ -77,6 +77,15 @@ impl Mesh {
         &self.triangles
     }
 
+    pub(super) fn border(&self) -> &[u8] {
+        &self.border
+    }
+
+    pub(super) fn set_border(&mut self, border: Vec<u8>, status: Vec<u8>) {
+        self.border = Arc::new(border);
+        self.set_status(Some(status));
+    }
+
     /// The status of every node where it is not what the border says.
     pub fn chosen_status(&self) -> Option<&[u8]> {
         let status = self.graph.status();
@@ -249,6 +258,14 @@ impl Terrain for Mesh {
 
     fn watched(&self) -> &[f64] {
         &self.elevation
+    }
+
+    fn coarser(&self) -> Option<Self> {
+        self.quarter()
+    }
+
+    fn take_elevation_of(&mut self, coarse: &Self) {
+        self.take_from(coarse);
     }
 }
 

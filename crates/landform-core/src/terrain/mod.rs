@@ -3,6 +3,7 @@
 //! Two exist: [`HeightField`] (a raster) and [`Mesh`] (an irregular planar graph). Layered, voxel and implicit terrains
 //! get their own files beside these.
 
+mod coarsen;
 mod convert;
 mod gaussian;
 mod height_field;
@@ -34,6 +35,14 @@ pub trait Terrain: Clone + Send + Sync + Serialize + DeserializeOwned + 'static 
 
     /// The values whose change from step to step tells whether the terrain is steady, m.
     fn watched(&self) -> &[f64];
+
+    /// The same ground with about a quarter of the nodes; none if it has too few, or no coarser form.
+    fn coarser(&self) -> Option<Self> {
+        None
+    }
+
+    /// Takes the shape of a coarser form of the same ground, base levels excepted.
+    fn take_elevation_of(&mut self, _coarse: &Self) {}
 }
 
 /// A terrain with one elevation per node of a graph: what flow, uplift and creep ask of a terrain.

@@ -1,7 +1,7 @@
 //! The clock of an `evolve` stage.
 
 use landform_core::sim::Stop;
-use landform_core::units::{Duration, Quantity};
+use landform_core::units::{Duration, MYR, Quantity};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,20 +10,25 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Clock {
-    /// Length of a step; must be given.
-    #[schemars(extend("x-above" = 0.0))]
+    /// Length of a step; must be given, unless `refine` is: then 1 Gyr.
+    #[schemars(extend("x-min" = 0.0))]
     pub dt: Duration,
     /// Time to run; or give `until` or `max_steps`.
     #[schemars(extend("x-min" = 0.0))]
     pub duration: Option<Duration>,
-    /// "steady": stop when the greatest change of a step is below `tolerance` times what uplift alone would have raised.
+    /// "steady": stop when the greatest change of a step is at most `tolerance` times what uplift alone would have raised (or
+    /// times the relief, where uplift in a long step would have raised more).
     pub until: Option<Until>,
-    /// See `until`.
-    #[schemars(extend("x-above" = 0.0, "x-max" = 1.0))]
+    /// See `until`; 0 waits until not a bit changes.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub tolerance: f64,
     /// Most steps; 10,000 for a run until steady, if not given.
     #[schemars(extend("x-min" = 1))]
     pub max_steps: Option<u64>,
+    /// Coarser levels, each with a quarter of the nodes, that are made steady first, each from the one before: the finest then
+    /// needs tens of steps rather than hundreds. With `until = "steady"` alone.
+    #[schemars(extend("x-max" = 12))]
+    pub refine: u32,
 }
 
 /// What to wait for.
@@ -36,7 +41,7 @@ pub enum Until {
 
 impl Default for Clock {
     fn default() -> Self {
-        Self { dt: Quantity::of(0.0), duration: None, until: None, tolerance: 1e-3, max_steps: None }
+        Self { dt: Quantity::of(0.0), duration: None, until: None, tolerance: 1e-3, max_steps: None, refine: 0 }
     }
 }
 
@@ -50,8 +55,20 @@ impl Clock {
         }
     }
 
+    /// Length of a step, s.
+    pub fn step(&self) -> f64 {
+        if self.refine > 0 && self.dt.si() == 0.0 { 1e3 * MYR } else { self.dt.si() }
+    }
+
     pub(super) fn check(&self) -> Result<()> {
-        if !(self.dt.si() > 0.0) {
+        if self.refine > 0 && self.until.is_none() {
+            return Err(Error::parameter(
+                "refine",
+                self.refine,
+                "0 without `until = \"steady\"`: the way there is no history",
+            ));
+        }
+        if !(self.step() > 0.0) {
             return Err(Error::parameter("dt", self.dt, "> 0 yr, for example \"1 kyr\""));
         }
         if self.duration.is_none() && self.until.is_none() && self.max_steps.is_none() {

@@ -292,8 +292,9 @@ impl Runner<'_> {
         let mut first_residual = None;
         let mut simulation = processes
             .shorten()
-            .dt(clock.dt.si())
+            .dt(clock.step())
             .until(stop)
+            .refine(clock.refine)
             .seed(seed)
             .maps(&self.maps)
             .cancel(self.options.cancel.clone())

@@ -19,6 +19,7 @@ use crate::hillslope::LinearDiffusion;
 use crate::uplift::Uplift;
 
 mod deposition;
+mod refine;
 
 const U: f64 = 1e-3;
 const K: f64 = 1e-5;
