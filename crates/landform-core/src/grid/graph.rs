@@ -20,20 +20,42 @@ pub struct Graph {
     status: Vec<u8>,
 }
 
-/// Links of one node while a graph is built: neighbour, distance, conductance.
-pub(crate) type RawLink = (u32, f64, f64);
+/// Links of all nodes while a graph is built: neighbour, 1/distance, conductance.
+#[derive(Debug, Default)]
+pub(crate) struct Links {
+    to: Vec<u32>,
+    inverse_distance: Vec<f64>,
+    conductance: Vec<f64>,
+}
+
+impl Links {
+    pub(crate) fn with_capacity(n: usize) -> Self {
+        let reals = || Vec::with_capacity(n);
+        Self { to: Vec::with_capacity(n), inverse_distance: reals(), conductance: reals() }
+    }
+
+    pub(crate) fn push(&mut self, to: u32, inverse_distance: f64, conductance: f64) {
+        self.to.push(to);
+        self.inverse_distance.push(inverse_distance);
+        self.conductance.push(conductance);
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.to.len()
+    }
+
+    pub(crate) fn reverse_from(&mut self, begin: usize) {
+        self.to[begin..].reverse();
+        self.inverse_distance[begin..].reverse();
+        self.conductance[begin..].reverse();
+    }
+}
 
 impl Graph {
     /// From each node's links in counter-clockwise order (`start` has one entry more than there are nodes), whether they
     /// close a full turn, areas and status. Every link must be present from both ends.
-    pub(crate) fn new(
-        start: Vec<u32>,
-        links: &[RawLink],
-        closed_fan: Vec<bool>,
-        area: Vec<f64>,
-        status: Vec<u8>,
-    ) -> Self {
-        let to: Vec<u32> = links.iter().map(|l| l.0).collect();
+    pub(crate) fn new(start: Vec<u32>, links: Links, closed_fan: Vec<bool>, area: Vec<f64>, status: Vec<u8>) -> Self {
+        let Links { to, inverse_distance, conductance } = links;
         let row = |i: usize| start[i] as usize..start[i + 1] as usize;
         let mut back = vec![NO_SLOT; to.len()];
         for i in 0..area.len() {
@@ -42,16 +64,7 @@ impl Graph {
                 back[q] = to[row(j)].iter().position(|&k| k as usize == i).map_or(NO_SLOT, |p| p as u8);
             }
         }
-        Self {
-            back,
-            inverse_distance: links.iter().map(|l| 1.0 / l.1).collect(),
-            conductance: links.iter().map(|l| l.2).collect(),
-            start,
-            to,
-            closed_fan,
-            area,
-            status,
-        }
+        Self { back, inverse_distance, conductance, start, to, closed_fan, area, status }
     }
 
     #[inline]

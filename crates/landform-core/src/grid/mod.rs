@@ -14,6 +14,7 @@ pub use domain::{BASE_LEVEL, Domain, INTERIOR, Link, MASKED, NO_SLOT, Node, Stat
 pub use edges::{Edge, Edges, Side};
 pub use georeference::{Georeference, Registration};
 pub use graph::Graph;
+pub(crate) use graph::Links;
 pub use grid::Grid;
 pub use raster::RasterDomain;
 pub use shape::{Cell, Shape};

@@ -1,16 +1,17 @@
 //! One container for checkpoints and the cache: compressed, versioned, checksummed, named.
 //!
 //! Layout: 8 bytes magic, 32 bytes SHA-256 of the rest, then kind and key (each a byte of length and text), then the
-//! payload (postcard) as an LZ4 block with its length. Floats keep every bit. Anything foreign, truncated or changed is an
+//! payload (postcard) as an LZ4 frame, written as it is made, so that no second copy of the value stands in memory. Floats keep every bit. Anything foreign, truncated or changed is an
 //! error that says so.
 
+use lz4_flex::frame::{FrameDecoder, FrameEncoder};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 
 use crate::{Error, Result};
 
-const MAGIC: &[u8; 8] = b"LANDFRM1";
+const MAGIC: &[u8; 8] = b"LANDFRM2";
 const FORMAT: &str = "landform state";
 
 /// A value as a container's bytes; `kind` and `key` say what it is and what it belongs to.
@@ -18,16 +19,17 @@ const FORMAT: &str = "landform state";
 /// # Errors
 /// [`Error::Format`] if the value cannot be encoded.
 pub fn pack(kind: &str, key: &str, value: &impl Serialize) -> Result<Vec<u8>> {
-    let payload = postcard::to_stdvec(value).map_err(|e| Error::format(FORMAT, e))?;
-    let mut body = Vec::new();
-    for text in [kind, key] {
-        body.push(u8::try_from(text.len()).map_err(|_| Error::format(FORMAT, "a name is too long"))?);
-        body.extend(text.as_bytes());
-    }
-    body.extend(lz4_flex::compress_prepend_size(&payload));
+    const SUM: std::ops::Range<usize> = 8..40;
     let mut bytes = MAGIC.to_vec();
-    bytes.extend(Sha256::digest(&body));
-    bytes.extend(body);
+    bytes.resize(SUM.end, 0);
+    for text in [kind, key] {
+        bytes.push(u8::try_from(text.len()).map_err(|_| Error::format(FORMAT, "a name is too long"))?);
+        bytes.extend(text.as_bytes());
+    }
+    let frame = postcard::to_io(value, FrameEncoder::new(&mut bytes)).map_err(|e| Error::format(FORMAT, e))?;
+    frame.finish().map_err(|e| Error::format(FORMAT, e))?;
+    let sum = Sha256::digest(&bytes[SUM.end..]);
+    bytes[SUM].copy_from_slice(&sum);
     Ok(bytes)
 }
 
@@ -60,8 +62,9 @@ pub fn unpack<T: DeserializeOwned>(kind: &str, key: &str, bytes: &[u8]) -> Resul
             _ => return fail("it belongs to something else"),
         }
     }
-    let payload = lz4_flex::decompress_size_prepended(rest).map_err(|e| Error::format(FORMAT, e))?;
-    postcard::from_bytes(&payload).map_err(|e| Error::format(FORMAT, e))
+    let mut text = vec![0; 1 << 20];
+    let read = postcard::from_io((FrameDecoder::new(rest), &mut text));
+    read.map(|(value, _)| value).map_err(|e| Error::format(FORMAT, e))
 }
 
 #[cfg(test)]

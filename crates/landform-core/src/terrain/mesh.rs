@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{NodeSurface, Terrain};
 use crate::field::Fields;
-use crate::grid::{BASE_LEVEL, Domain, Edge, Edges, Graph, INTERIOR};
+use crate::grid::{BASE_LEVEL, Domain, Edge, Edges, Graph, INTERIOR, Links};
 use crate::{Error, Result, parallel};
 
 /// Nodes with one elevation each, joined to triangles.
@@ -55,6 +55,7 @@ impl Mesh {
         let positions = hilbert_order(sites, bounds);
         let points: Vec<_> = positions.iter().map(|p| delaunator::Point { x: p[0], y: p[1] }).collect();
         let triangulation = delaunator::triangulate(&points);
+        drop(points);
         if triangulation.triangles.is_empty() {
             return Err(Error::parameter("nodes", "sites on one line", "sites that span an area"));
         }
@@ -167,7 +168,7 @@ fn build_graph(
         }
     }
     let mut start = Vec::with_capacity(n + 1);
-    let mut links = Vec::with_capacity(triangles.len() * 2);
+    let mut links = Links::with_capacity(triangles.len() + n);
     let (mut closed, mut area) = (vec![true; n], vec![0.0; n]);
     start.push(0);
     for node in 0..n {
@@ -176,7 +177,7 @@ fn build_graph(
             let weight = cotangent[e] + if twin[e] == EMPTY { 0.0 } else { cotangent[twin[e]] };
             let d2 = square_distance(positions[node], positions[to]);
             area[node] += 0.25 * d2 * weight;
-            links.push((to as u32, d2.sqrt(), weight));
+            links.push(to as u32, 1.0 / d2.sqrt(), weight);
         });
         let degree = links.len() - begin;
         if degree == 0 {
@@ -191,11 +192,13 @@ fn build_graph(
             ));
         }
         // Clockwise from the library; counter-clockwise here.
-        links[begin..].reverse();
+        links.reverse_from(begin);
         start.push(links.len() as u32);
     }
     let status = (0..n).map(|i| if !closed[i] && is_open(positions[i], bounds, edges) { BASE_LEVEL } else { INTERIOR });
-    Ok(Graph::new(start, &links, closed.clone(), area, status.collect()))
+    let status = status.collect();
+    drop((cotangent, first));
+    Ok(Graph::new(start, links, closed, area, status))
 }
 
 fn next(e: usize) -> usize {

@@ -110,13 +110,18 @@ pub(super) fn key(before: &str, entry: &Entry, folder: &Path, salt: &str) -> Str
     hash.finalize().iter().map(|b| format!("{b:02x}")).take(16).collect()
 }
 
-/// Files that parameters name: keys that are inputs, and maps in values that vary.
+/// Files that parameters name: keys that are inputs, and maps in values that vary, however deep.
 pub(super) fn input_paths(inputs: &[&str], json: &Json) -> Vec<String> {
     let mut paths: Vec<String> = inputs.iter().filter_map(|k| json[*k].as_str()).map(String::from).collect();
     if let Json::Object(map) = json {
-        for value in map.values().filter(|v| v.is_object()) {
-            paths.extend(["image", "raster"].iter().filter_map(|k| value[*k].as_str()).map(String::from));
-        }
+        map.values().for_each(|value| maps_in(value, &mut paths));
     }
     paths
+}
+
+fn maps_in(json: &Json, paths: &mut Vec<String>) {
+    if let Json::Object(map) = json {
+        paths.extend(["image", "raster"].iter().filter_map(|k| json[*k].as_str()).map(String::from));
+        map.values().for_each(|value| maps_in(value, paths));
+    }
 }
