@@ -9,7 +9,7 @@
 //! (through Q): a linear system on a tree, for n = 1. It is solved *directly*: from the leaves down, the flux out of a
 //! subtree is a linear function of the lowering of the node below, Q = α + β d_r; from the outlets up the d follow. O(n),
 //! without the iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up and the
-//! two passes repeated until no decision changes: slopes at the talus angle; floors of lakes, where nothing is worn off and
+//! two passes repeated until no decision changes (a few rounds): slopes at the talus angle; floors of lakes, where nothing is worn off and
 //! fill stops at the water's surface; and, for n ≠ 1, the tangent of the law.
 //!
 //! Volumes are conserved by construction: Q is made of the d.
@@ -163,37 +163,32 @@ impl Sediment {
             if r == i {
                 continue;
             }
-            let (below, upstream) = (self.nodes[r], self.upstream[i]);
+            let (below, [alpha, beta], was) = (self.nodes[r], self.upstream[i], self.nodes[i]);
             let base = (before[r] - below.lowering).max(law.sea_level);
-            let was = self.nodes[i];
-            let mut node = Node { drop: before[i] - base - below.lowering, ..was };
-            let as_if = |regime: Regime, node: &Node| {
-                let [constant, factor] = step.lowering(i, &Node { regime, ..*node }, upstream);
-                constant + factor * below.lowering
-            };
-            let limit = law.greatest_slope * domain.distance(i, flow.slots()[i]);
-            node.regime = Regime::River;
-            node.lowering = as_if(Regime::River, &node);
-            let left = before[i] - node.lowering - base;
-            if before[i] - node.lowering <= below.level {
-                node.regime = Regime::Lake;
-                node.lowering = as_if(Regime::Lake, &node);
-                if before[i] - node.lowering > below.level {
-                    node.regime = Regime::Filled;
-                    node.lowering = before[i] - below.level;
-                }
-            } else if left > limit {
-                node.regime = Regime::Talus;
-                node.lowering = as_if(Regime::Talus, &node);
+            let share = step.share(i);
+            let own = 1.0 + share * (domain.area(i) + beta);
+            let laid = share * alpha / own;
+            let drop = before[i] - base;
+            let mut node = Node { drop: drop - below.lowering, ..was };
+            // What the river leaves of the drop, what it lays down included.
+            let left = if drop + laid > 0.0 { law.worn(drop + laid, was.strength / own) } else { drop + laid };
+            if base + left <= below.level {
+                let fills = before[i] + laid > below.level;
+                node.regime = if fills { Regime::Filled } else { Regime::Lake };
+                node.lowering = if fills { before[i] - below.level } else { -laid };
+            } else {
+                let length = domain.distance(i, flow.slots()[i]);
+                let limit = law.greatest_slope * length;
+                let slides = left > limit;
+                let kept = if slides { left + (limit - left) * law.slide(length) } else { left };
+                node.regime = if slides { Regime::Talus } else { Regime::River };
+                node.lowering = drop - kept;
+                node.at = left;
+                changed |= law.slope_exponent != 1.0 && (left - was.at).abs() > TOLERANCE * (left + was.at);
             }
             node.level = below.level.max(before[i] - node.lowering);
             let risen = (node.level - was.level).abs() > TOLERANCE * (1.0 + node.level.abs());
             changed |= node.regime != was.regime || (node.regime == Regime::Filled && risen);
-            if law.slope_exponent != 1.0 && matches!(node.regime, Regime::River | Regime::Talus) {
-                // Newton's next point must stay above the ground below.
-                node.at = left.max(0.1 * was.at);
-                changed |= (node.at - was.at).abs() > TOLERANCE * (node.at + was.at);
-            }
             self.nodes[i] = node;
         }
         changed
@@ -220,9 +215,14 @@ struct Step<'a, D> {
 }
 
 impl<D: Domain> Step<'_, D> {
+    /// G/A: the part of the flux that is laid down, per area.
+    fn share(&self, i: usize) -> f64 {
+        if self.area[i] > 0.0 { self.law.deposition / self.area[i] } else { 0.0 }
+    }
+
     /// A node's lowering as a function of its receiver's: constant and factor.
     fn lowering(&self, i: usize, node: &Node, [alpha, beta]: [f64; 2]) -> [f64; 2] {
-        let share = if self.area[i] > 0.0 { self.law.deposition / self.area[i] } else { 0.0 };
+        let share = self.share(i);
         let own = 1.0 + share * (self.domain.area(i) + beta);
         let river = || {
             let [slope, intercept] = tangent(self.law, node.strength, node.at);

@@ -50,7 +50,7 @@ fn uplift(mm_per_year: f64) -> Uplift {
 }
 
 fn steady<T: NodeSurface>(terrain: T, rivers: StreamPower, dt: f64) -> T {
-    let stop = Stop::steady(1e-13).or_steps(2_000);
+    let stop = Stop::steady(1e-12).or_steps(2_000);
     let mut sim =
         Simulation::new(terrain).process(uplift(1e3 * U)).unwrap().process(rivers).unwrap().dt(dt).until(stop);
     let outcome = sim.run().unwrap();
