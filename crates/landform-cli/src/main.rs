@@ -26,6 +26,7 @@ mod run;
 mod schema;
 mod show_error;
 mod stages;
+mod vary;
 
 use std::process::ExitCode;
 
@@ -52,6 +53,8 @@ enum Command {
     Check(check::Args),
     /// Runs a recipe.
     Run(run::Args),
+    /// Runs a recipe for many seeds and values of keys: a contact sheet and a table of results.
+    Vary(vary::Args),
     /// Lists the stages, or one stage's parameters with units, defaults, ranges, sources.
     Stages(stages::Args),
     /// Prints the JSON schema of recipes, for editors.
@@ -73,6 +76,7 @@ fn main() -> ExitCode {
         Command::New(args) => new::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Run(args) => run::run(&args),
+        Command::Vary(args) => vary::run(&args),
         Command::Stages(args) => stages::run(&args),
         Command::Schema => schema::run(),
         Command::Cite(args) => cite::run(&args),

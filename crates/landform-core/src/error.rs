@@ -79,6 +79,9 @@ pub enum Error {
         /// Residual reached.
         residual: f64,
     },
+    /// Somebody asked it to stop.
+    #[error("interrupted")]
+    Interrupted,
     /// A number became NaN or infinite.
     #[error("{field} is not finite at node {node} after {after}")]
     NonFinite {

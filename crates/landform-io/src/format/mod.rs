@@ -1,6 +1,7 @@
 //! Files of rasters and meshes. Every reader takes hostile bytes: it answers with a terrain or an error, and asks for no
 //! more memory than a file of that length can honestly fill.
 
+mod animation;
 mod ascii_grid;
 mod exr;
 mod geotiff;
@@ -15,6 +16,7 @@ mod sidecar;
 mod stl;
 mod table;
 
+pub use animation::{animation_extension, encode_animation};
 pub(crate) use exr::write_rgb as write_exr_rgb;
 pub use geotiff::{Compression, DataType, GeotiffOptions};
 pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh};

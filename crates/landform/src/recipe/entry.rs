@@ -5,11 +5,14 @@ use std::ops::Range;
 use landform_core::error::nearest;
 use landform_core::random::Seed;
 use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 
 use super::stage::{Form, Refusal, schema_of};
 use super::tree::{Node, Value, place};
-use super::{Clock, STAGES, Stage, Verb};
+use super::{Clock, STAGES, Stage, Verb, Watch};
 
 /// The word for several processes on one clock.
 pub(super) const EVOLVE: &str = "evolve";
@@ -37,15 +40,33 @@ pub(super) enum Work {
     /// One stage of the table, with its parameters as typed.
     Once(&'static Stage, Json),
     /// Processes on a clock.
-    Evolve(Clock, Vec<(&'static Stage, Json)>),
+    Evolve(Box<Evolve>),
+}
+
+/// Processes on a clock.
+#[derive(Clone, Debug)]
+pub(super) struct Evolve {
+    pub(super) clock: Clock,
+    /// Processes with their parameters as typed.
+    pub(super) parts: Vec<(&'static Stage, Json)>,
+    /// What is written on the way.
+    pub(super) watch: Option<Watch>,
 }
 
 impl Work {
+    /// What is written while processes run.
+    pub(super) fn watch(&self) -> Option<&Watch> {
+        match self {
+            Self::Evolve(evolve) => evolve.watch.as_ref(),
+            Self::Once(..) => None,
+        }
+    }
+
     /// The stages of the table that take part.
     pub(super) fn parts(&self) -> Vec<(&'static Stage, &Json)> {
         match self {
             Self::Once(stage, json) => vec![(stage, json)],
-            Self::Evolve(_, parts) => parts.iter().map(|(s, j)| (*s, j)).collect(),
+            Self::Evolve(evolve) => evolve.parts.iter().map(|(s, j)| (*s, j)).collect(),
         }
     }
 
@@ -58,8 +79,9 @@ impl Work {
         let one = |stage: &Stage, json: &Json| (stage.form.normalize)(json).unwrap_or_else(|_| json.clone());
         match self {
             Self::Once(stage, json) => one(stage, json),
-            Self::Evolve(clock, parts) => {
-                let process: Vec<_> = parts
+            Self::Evolve(evolve) => {
+                let process: Vec<_> = evolve
+                    .parts
                     .iter()
                     .map(|(stage, json)| {
                         let mut json = one(stage, json);
@@ -69,7 +91,7 @@ impl Work {
                         json
                     })
                     .collect();
-                serde_json::json!({ "clock": clock, "process": process })
+                serde_json::json!({ "clock": evolve.clock, "process": process })
             }
         }
     }
@@ -115,9 +137,10 @@ impl EntryReader<'_> {
             }
             (_, None) => None,
         };
+        let watch = if stage.verb == Verb::Process { self.watch(node)? } else { None };
         self.check(stage, node)?;
         Ok(match clock {
-            Some(clock) => Work::Evolve(clock, vec![(stage, node.json())]),
+            Some(clock) => Work::Evolve(Box::new(Evolve { clock, parts: vec![(stage, node.json())], watch })),
             None => Work::Once(stage, node.json()),
         })
     }
@@ -128,13 +151,17 @@ impl EntryReader<'_> {
             return Err(self.error(span, "`evolve` has no `clock`", hint));
         };
         let clock = self.clock(&clock.node)?;
+        let watch = self.watch(node)?;
         let Some(list) = node.remove("process") else {
             let hint = Some("for example process = [ { use = \"uplift\", rate = \"0.5 mm/yr\" } ]".into());
             return Err(self.error(span, "`evolve` has no `process`", hint));
         };
         if let Some(extra) = node.entries().first() {
-            let what = format!("`{}` is not known here; `evolve` takes `clock`, `process`, `label`, `from`", extra.key);
-            let known = ["clock", "process", "label", "from"];
+            let what = format!(
+                "`{}` is not known here; `evolve` takes `clock`, `process`, `watch`, `label`, `from`",
+                extra.key
+            );
+            let known = ["clock", "process", "watch", "label", "from"];
             let hint = nearest(&extra.key, known).map(|n| format!("did you mean `{n}`?"));
             return Err(self.error(&extra.span, what, hint));
         }
@@ -161,7 +188,7 @@ impl EntryReader<'_> {
             self.check(stage, &item)?;
             parts.push((stage, item.json()));
         }
-        Ok(Work::Evolve(clock, parts))
+        Ok(Work::Evolve(Box::new(Evolve { clock, parts, watch })))
     }
 
     /// The stage of a name that runs on a kind of terrain.
@@ -190,20 +217,24 @@ impl EntryReader<'_> {
     }
 
     fn clock(&self, node: &Node) -> Result<Clock> {
-        let form = Form {
-            properties: landform_core::verb::properties::<Clock>,
-            schema: schema_of::<Clock>,
-            defaults: || Json::Null,
-            normalize: |json| {
-                let clock: Clock = serde_path_to_error::deserialize(json).map_err(Refusal::Shape)?;
-                let values = serde_json::to_value(&clock).unwrap_or_default();
-                landform_core::verb::validate_ranges(&schema_of::<Clock>(), &values).map_err(Refusal::Value)?;
-                clock.check().map_err(Refusal::Value)?;
-                Ok(values)
-            },
-        };
-        self.check_form("clock", &form, node)?;
-        serde_json::from_value(node.json()).map_err(|e| self.error(&node.span, e.to_string(), None))
+        self.table("clock", node, Clock::check)
+    }
+
+    fn watch(&self, node: &mut Node) -> Result<Option<Watch>> {
+        node.remove("watch").map(|entry| self.table("watch", &entry.node, Watch::check)).transpose()
+    }
+
+    /// A table that belongs to a stage but is none of its parameters.
+    fn table<P>(&self, name: &str, node: &Node, check: fn(&P) -> Result<()>) -> Result<P>
+    where
+        P: JsonSchema + Serialize + DeserializeOwned,
+    {
+        let refused = |refusal| self.refuse(name, &landform_core::verb::properties::<P>(), refusal, node);
+        let params: P = serde_path_to_error::deserialize(&node.json()).map_err(|e| refused(Refusal::Shape(e)))?;
+        let values = serde_json::to_value(&params).unwrap_or_default();
+        let ranges = landform_core::verb::validate_ranges(&schema_of::<P>(), &values);
+        ranges.and_then(|()| check(&params)).map_err(|e| refused(Refusal::Value(e)))?;
+        Ok(params)
     }
 
     fn check(&self, stage: &'static Stage, node: &Node) -> Result<()> {
@@ -211,20 +242,24 @@ impl EntryReader<'_> {
     }
 
     fn check_form(&self, name: &str, form: &Form, node: &Node) -> Result<()> {
-        match (form.normalize)(&node.json()) {
-            Ok(_) => Ok(()),
-            Err(Refusal::Shape(error)) => {
+        (form.normalize)(&node.json()).map(drop).map_err(|e| self.refuse(name, &(form.properties)(), e, node))
+    }
+
+    /// The refusal with its place and a hint.
+    fn refuse(&self, name: &str, properties: &[(String, Json)], refusal: Refusal, node: &Node) -> Error {
+        match refusal {
+            Refusal::Shape(error) => {
                 let span = node.locate(error.path());
                 let message = without_place(&error.inner().to_string());
-                let known: Vec<String> = (form.properties)().into_iter().map(|p| p.0).collect();
-                Err(self.shape_error(name, &span, error.path(), &message, &known, node))
+                let known: Vec<String> = properties.iter().map(|p| p.0.clone()).collect();
+                self.shape_error(name, &span, error.path(), &message, &known, node)
             }
-            Err(Refusal::Value(error)) => {
+            Refusal::Value(error) => {
                 let span = match &error {
                     Error::Parameter { name, .. } => node.get(name).map_or(node.span.clone(), |e| e.node.span.clone()),
                     _ => node.span.clone(),
                 };
-                Err(self.error(&span, format!("`{name}`: {error}"), error.hint()))
+                self.error(&span, format!("`{name}`: {error}"), error.hint())
             }
         }
     }

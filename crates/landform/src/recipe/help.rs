@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::entry::EVOLVE;
 use super::stage::schema_of;
-use super::{Clock, Recipe, STAGES, Stage, Verb};
+use super::{Clock, Recipe, STAGES, Stage, Verb, Watch};
 
 /// A parameter, as help shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +54,9 @@ pub fn parameters(name: &str) -> Option<Vec<Parameter>> {
         let defaults = serde_json::to_value(Clock::default()).unwrap_or_default();
         let mut all = list(landform_core::verb::properties::<Clock>(), &defaults);
         all.iter_mut().for_each(|p| p.name = format!("clock.{}", p.name));
+        let defaults = serde_json::to_value(Watch::default()).unwrap_or_default();
+        let watch = list(landform_core::verb::properties::<Watch>(), &defaults);
+        all.extend(watch.into_iter().map(|p| Parameter { name: format!("watch.{}", p.name), ..p }));
         return Some(all);
     }
     let stage = STAGES.iter().find(|s| s.name == name)?;
@@ -150,18 +153,19 @@ pub fn schema() -> Json {
         definitions.extend(inner);
         stage_refs.push(json!({ "$ref": format!("#/$defs/{}", stage.name) }));
     }
-    let mut clock = schema_of::<Clock>();
-    if let Some(Json::Object(inner)) = clock.get_mut("$defs").map(Json::take) {
-        definitions.extend(inner);
+    for (name, mut schema) in [("clock", schema_of::<Clock>()), ("watch", schema_of::<Watch>())] {
+        if let Some(Json::Object(inner)) = schema.get_mut("$defs").map(Json::take) {
+            definitions.extend(inner);
+        }
+        strip(&mut schema);
+        definitions.insert(name.into(), schema);
     }
-    strip(&mut clock);
-    definitions.insert("clock".into(), clock);
     definitions.insert(
         EVOLVE.into(),
         json!({ "type": "object", "additionalProperties": false, "required": ["use", "clock", "process"],
             "description": describe(EVOLVE),
             "properties": { "use": { "const": EVOLVE }, "label": { "type": "string" }, "from": { "type": "string" },
-                "clock": { "$ref": "#/$defs/clock" }, "process": { "type": "array", "minItems": 1, "items": { "oneOf": process_refs } } } }),
+                "clock": { "$ref": "#/$defs/clock" }, "watch": { "$ref": "#/$defs/watch" }, "process": { "type": "array", "minItems": 1, "items": { "oneOf": process_refs } } } }),
     );
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -191,6 +195,7 @@ fn lift(stage: &Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json
         schema["properties"]["from"] = json!({ "type": "string" });
         if stage.verb == Verb::Process {
             schema["properties"]["clock"] = json!({ "$ref": "#/$defs/clock" });
+            schema["properties"]["watch"] = json!({ "$ref": "#/$defs/watch" });
         }
     }
     schema["required"] =

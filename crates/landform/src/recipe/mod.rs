@@ -12,6 +12,8 @@ mod run;
 mod stage;
 mod stages;
 mod tree;
+mod vary;
+mod watch;
 
 pub use any_terrain::AnyTerrain;
 pub use clock::{Clock, Until};
@@ -22,3 +24,5 @@ pub use plan::{Plan, PlannedStage};
 pub use run::{Options, Progress, Ran, Signal};
 pub use stage::{Stage, Verb};
 pub use stages::STAGES;
+pub use vary::{Over, Row, Sweep, contact_sheet};
+pub use watch::Watch;

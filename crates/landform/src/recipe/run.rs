@@ -12,13 +12,13 @@ use landform_core::verb::{CancelToken, Context, Event, Outcome, Output, Stopped}
 use landform_core::{Error, Result};
 use landform_io::files::write_whole;
 use landform_io::import::FileMaps;
-use serde_json::Value as Json;
 
 use super::any_terrain::Held;
 use super::cache::Cache;
-use super::entry::{Entry, Work};
+use super::entry::{Entry, Evolve, Work};
 use super::stage::{Act, AnyLandscape};
-use super::{AnyTerrain, Clock, Plan, Recipe, Stage};
+use super::watch::Watcher;
+use super::{AnyTerrain, Plan, Recipe};
 
 /// What a run tells while it goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +68,8 @@ pub struct Options<'a> {
     pub salt: String,
     /// Asks the run to stop.
     pub cancel: CancelToken,
+    /// Only the terrain is wanted: nothing is measured or written.
+    pub quiet: bool,
     /// Is told how it goes.
     pub progress: &'a Progress<'a>,
 }
@@ -81,6 +83,7 @@ impl Default for Options<'_> {
             checkpoint_every: 60.0,
             salt: String::new(),
             cancel: CancelToken::default(),
+            quiet: false,
             progress: &|_| {},
         }
     }
@@ -153,7 +156,9 @@ impl Runner<'_> {
             if let Some(slot) = entry.from.as_deref().and_then(|f| labelled.get(f)) {
                 current = slot.clone();
             }
-            let known = if planned.cached { self.known(&planned.key, &current) } else { None };
+            // What is written on the way is not in the cache.
+            let watched = entry.work.watch().is_some() && !self.options.quiet;
+            let known = if planned.cached && !watched { self.known(&planned.key, &current) } else { None };
             (self.options.progress)(Signal::Stage {
                 index: k + 1,
                 of,
@@ -166,10 +171,13 @@ impl Runner<'_> {
             if let Some(slot) = known {
                 current = slot;
             } else if !entry.work.changes_terrain() {
+                if self.options.quiet {
+                    continue;
+                }
                 let terrain = self.terrain(&mut current).map_err(fail)?;
                 self.tell(entry, &terrain, &current.history, out).map_err(fail)?;
             } else {
-                match self.change(entry, &mut current, &planned.key).map_err(fail)? {
+                match self.change(entry, &mut current, &planned.key, out).map_err(fail)? {
                     Some(slot) => current = slot,
                     None => return Ok(Ran::Interrupted(self.options.checkpoint.clone())),
                 }
@@ -205,13 +213,13 @@ impl Runner<'_> {
     }
 
     /// Runs a stage that changes the terrain; none if it was interrupted.
-    fn change(&self, entry: &Entry, current: &mut Slot, key: &str) -> Result<Option<Slot>> {
+    fn change(&self, entry: &Entry, current: &mut Slot, key: &str, out: &mut dyn Output) -> Result<Option<Slot>> {
         let context = Context { seed: entry.seed, maps: &self.maps };
         let mut outcome = None;
         let terrain = match &entry.work {
-            Work::Evolve(clock, parts) => {
+            Work::Evolve(evolve) => {
                 let before = self.terrain(current)?;
-                let Some((terrain, ended)) = self.evolve(&before, clock, parts, entry.seed, key)? else {
+                let Some((terrain, ended)) = self.evolve(&before, evolve, entry.seed, key, out)? else {
                     return Ok(None);
                 };
                 (self.options.progress)(Signal::Outcome(ended));
@@ -263,31 +271,34 @@ impl Runner<'_> {
     fn evolve(
         &self,
         terrain: &AnyTerrain,
-        clock: &Clock,
-        parts: &[(&'static Stage, Json)],
+        evolve: &Evolve,
         seed: Seed,
         key: &str,
+        out: &mut dyn Output,
     ) -> Result<Option<(AnyTerrain, Outcome)>> {
         match terrain {
-            AnyTerrain::HeightField(t) => self.evolve_as(t.clone(), clock, parts, seed, key),
-            AnyTerrain::Mesh(t) => self.evolve_as(t.clone(), clock, parts, seed, key),
+            AnyTerrain::HeightField(t) => self.evolve_as(t.clone(), evolve, seed, key, out),
+            AnyTerrain::Mesh(t) => self.evolve_as(t.clone(), evolve, seed, key, out),
         }
     }
 
     fn evolve_as<T: Held>(
         &self,
         terrain: T,
-        clock: &Clock,
-        parts: &[(&'static Stage, Json)],
+        evolve: &Evolve,
         seed: Seed,
         key: &str,
+        out: &mut dyn Output,
     ) -> Result<Option<(AnyTerrain, Outcome)>> {
+        let clock = &evolve.clock;
         let mut processes = Simulation::<'static, T>::new(terrain);
-        for (stage, json) in parts {
+        for (stage, json) in &evolve.parts {
             if let Act::Process(add) = stage.act {
                 add(json, &mut processes)?;
             }
         }
+        let watcher = evolve.watch.as_ref().filter(|_| !self.options.quiet).map(Watcher::new);
+        let watcher = std::sync::Mutex::new(watcher);
         let stop = clock.stop();
         let mut first_residual = None;
         let mut simulation = processes
@@ -320,6 +331,12 @@ impl Runner<'_> {
                 });
                 Ok(ControlFlow::Continue(()))
             });
+        if let Some(watch) = evolve.watch.as_ref().filter(|_| !self.options.quiet) {
+            simulation = simulation.observe(watch.interval(), |view| match watcher.lock() {
+                Ok(mut watcher) => watcher.as_mut().map_or(Ok(ControlFlow::Continue(())), |w| w.look(view)),
+                Err(_) => Ok(ControlFlow::Break(())),
+            });
+        }
         if let Some(path) = &self.options.checkpoint {
             simulation = simulation.save_every(self.options.checkpoint_every, |s| save(s, key, path));
             if self.options.resume && path.is_file() {
@@ -336,7 +353,11 @@ impl Runner<'_> {
         if let Some(path) = &self.options.checkpoint {
             std::fs::remove_file(path).ok();
         }
-        Ok(Some((simulation.into_terrain().wrap(), outcome)))
+        let terrain = simulation.into_terrain().wrap();
+        if let Ok(Some(watcher)) = watcher.into_inner() {
+            watcher.finish(out)?;
+        }
+        Ok(Some((terrain, outcome)))
     }
 
     fn resume<'s, T: Terrain>(

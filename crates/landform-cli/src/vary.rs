@@ -1,0 +1,111 @@
+//! `landform vary`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use landform::core::parallel::with_threads;
+use landform::core::verb::CancelToken;
+use landform::core::{Error, Result};
+use landform::io::export::{ViewKind, WritePicture};
+use landform::io::files::write_whole;
+use landform::io::format::encode_png;
+use landform::recipe::{Over, Recipe, Sweep, contact_sheet};
+
+use crate::memory;
+use crate::show_error::{Failure, about};
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// The recipe.
+    recipe: PathBuf,
+    /// Number of seeds, counted up from the recipe's own (or from --seed).
+    #[arg(short, long, default_value_t = 1)]
+    n: u64,
+    /// First seed, instead of the recipe's.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// A key and its values: LABEL_OR_STAGE.key=a,b,c (or a;b;c). May be repeated: every combination is run.
+    #[arg(long, value_name = "STAGE.KEY=A,B,C")]
+    over: Vec<String>,
+    /// Table of results to write (.csv); printed if not given.
+    #[arg(long)]
+    table: Option<PathBuf>,
+    /// Contact sheet to write (.png), numbered as the table's rows.
+    #[arg(long)]
+    sheet: Option<PathBuf>,
+    /// What each picture of the sheet shows.
+    #[arg(long, default_value = "map")]
+    view: String,
+    /// Longer side of each picture, pixels.
+    #[arg(long, default_value_t = 320)]
+    size: usize,
+    /// Number of threads; all cores if not given. Results do not depend on it.
+    #[arg(long, default_value_t = 0)]
+    threads: usize,
+    /// Says nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// More pixels than this make no sheet that anyone could open.
+const MOST_PIXELS: usize = 400_000_000;
+
+pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let over = args.over.iter().map(|o| Over::parse(o)).collect::<Result<Vec<_>>>()?;
+    let load = |overrides: &[landform::recipe::Override]| Recipe::load(&args.recipe, overrides);
+    let own = load(&[]).map_err(about(&args.recipe))?.seed;
+    let first = args.seed.unwrap_or(own);
+    let sweep = Sweep { seeds: (0..args.n.clamp(1, 10_000)).map(|k| first.wrapping_add(k)).collect(), over };
+    let runs = sweep.runs(own)?.len();
+    let picture = picture(args)?;
+    if args.sheet.is_some() && runs * args.size * args.size > MOST_PIXELS {
+        let value = format!("{runs} pictures of {} pixels", args.size);
+        return Err(Error::parameter("size", value, "fewer or smaller pictures").into());
+    }
+    let cancel = CancelToken::default();
+    let token = cancel.clone();
+    ctrlc::set_handler(move || {
+        if token.is_cancelled() {
+            std::process::exit(130);
+        }
+        token.cancel();
+    })
+    .ok();
+    let rows = with_threads(args.threads, || {
+        sweep.run(load, memory::available(), &cancel, |k, row| {
+            if !args.quiet {
+                let values = if row.values.is_empty() { String::new() } else { format!(" {}", row.values.join(" ")) };
+                eprintln!(
+                    "[{}/{runs}] seed {}{values}: {:.1} to {:.1} m, {:.1} s",
+                    k + 1,
+                    row.seed,
+                    row.summary.min,
+                    row.summary.max,
+                    row.seconds
+                );
+            }
+        })
+    })?
+    .map_err(about(&args.recipe))?;
+    let table = sweep.table(&rows);
+    match &args.table {
+        Some(path) => write_whole(path, table.as_bytes())?,
+        None => say!("{}", table.trim_end()),
+    }
+    if let Some(path) = &args.sheet {
+        let sheet = contact_sheet(&rows, &picture, 8)?;
+        write_whole(path, &encode_png(&sheet.pixels, sheet.shape)?)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn picture(args: &Args) -> Result<WritePicture> {
+    let view = match args.view.as_str() {
+        "map" => ViewKind::Map,
+        "perspective" => ViewKind::Perspective,
+        other => return Err(Error::parameter("view", format!("\"{other}\""), "\"map\" or \"perspective\"")),
+    };
+    let picture = WritePicture { view, size: args.size, ..WritePicture::default() };
+    landform::core::verb::Params::validate(&picture)?;
+    Ok(picture)
+}

@@ -1,0 +1,276 @@
+//! The same recipe many times: seeds, and values of keys.
+
+use std::fmt::Write;
+use std::sync::Arc;
+use std::time::Instant;
+
+use landform_core::analysis::{Hypsometry, SlopeArea, Summary, hypsometry, slope_area, summary};
+use landform_core::grid::Shape;
+use landform_core::terrain::NodeSurface;
+use landform_core::units::YEAR;
+use landform_core::verb::{CancelToken, MemoryOutput, Outcome};
+use landform_core::{Error, Result, parallel};
+use landform_io::export::{Drawable, WritePicture};
+use landform_io::render::Picture;
+
+use super::{AnyTerrain, Options, Override, Ran, Recipe};
+
+/// A key and the values that it takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Over {
+    /// `STAGE.key`.
+    pub key: String,
+    /// Values as typed.
+    pub values: Vec<String>,
+}
+
+impl Over {
+    /// Reads `STAGE.key=a,b,c`; semicolons part the values where they hold commas themselves.
+    ///
+    /// # Errors
+    /// [`Error::Recipe`] without `=`, key or values.
+    pub fn parse(text: &str) -> Result<Self> {
+        let fail = || Error::Recipe {
+            at: None,
+            what: format!("`--over {text}` is not understood"),
+            hint: Some("write --over STAGE.key=a,b,c, for example --over \"uplift.rate=0.1 mm/yr,0.4 mm/yr\"".into()),
+        };
+        let (key, values) = text.split_once('=').ok_or_else(fail)?;
+        let separator = if values.contains(';') { ';' } else { ',' };
+        let values: Vec<String> = values.split(separator).map(|v| v.trim().to_string()).collect();
+        if key.trim().is_empty() || values.iter().any(String::is_empty) {
+            return Err(fail());
+        }
+        Ok(Self { key: key.trim().into(), values })
+    }
+}
+
+/// Which runs to make: every combination of seeds and values.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sweep {
+    /// Seeds; the recipe's own if there are none.
+    pub seeds: Vec<u64>,
+    /// Keys and values; the last one changes fastest.
+    pub over: Vec<Over>,
+}
+
+/// One run of a sweep.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Seed.
+    pub seed: u64,
+    /// Values, in the order of the keys.
+    pub values: Vec<String>,
+    /// How the last processes ended, if there were any.
+    pub outcome: Option<Outcome>,
+    /// Elevations and slopes.
+    pub summary: Summary,
+    /// How much ground lies how high.
+    pub hypsometry: Hypsometry,
+    /// Slope against drainage area.
+    pub slope_area: SlopeArea,
+    /// Seconds on the wall.
+    pub seconds: f64,
+    /// The landscape.
+    pub terrain: Arc<AnyTerrain>,
+}
+
+/// Most runs of a sweep.
+const MOST_RUNS: usize = 10_000;
+
+impl Sweep {
+    /// Seeds and values of every run.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for more than 10,000 runs.
+    pub fn runs(&self, own_seed: u64) -> Result<Vec<(u64, Vec<String>)>> {
+        let seeds = if self.seeds.is_empty() { vec![own_seed] } else { self.seeds.clone() };
+        let count = self.over.iter().fold(seeds.len(), |n, o| n.saturating_mul(o.values.len()));
+        if count > MOST_RUNS {
+            return Err(Error::parameter("over", format!("{count} runs"), &format!("at most {MOST_RUNS}")));
+        }
+        let mut runs: Vec<(u64, Vec<String>)> = seeds.into_iter().map(|s| (s, Vec::new())).collect();
+        for over in &self.over {
+            runs = runs
+                .into_iter()
+                .flat_map(|(seed, before)| {
+                    over.values.iter().map(move |v| {
+                        let mut values = before.clone();
+                        values.push(v.clone());
+                        (seed, values)
+                    })
+                })
+                .collect();
+        }
+        Ok(runs)
+    }
+
+    /// Runs a recipe, which `load` reads with the given overrides, once for each combination, several at a time as far as
+    /// `memory` (bytes) and cores allow. Nothing is exported. `done` is told each run's number and row.
+    ///
+    /// # Errors
+    /// The first run's error, in order.
+    pub fn run(
+        &self,
+        load: impl Fn(&[Override]) -> Result<Recipe> + Sync,
+        memory: Option<u64>,
+        cancel: &CancelToken,
+        done: impl Fn(usize, &Row) + Sync,
+    ) -> Result<Vec<Row>> {
+        let own = load(&[])?;
+        let runs = self.runs(own.seed)?;
+        let recipes =
+            runs.iter().map(|(seed, values)| load(&self.overrides(*seed, values)?)).collect::<Result<Vec<_>>>()?;
+        let mut bytes = 0;
+        for recipe in &recipes {
+            bytes = recipe.plan(None, "")?.bytes.max(bytes);
+        }
+        let room = memory.map_or(usize::MAX, |m| (m / bytes.max(1)) as usize);
+        let at_once = room.clamp(1, parallel::threads());
+        let mut rows = Vec::with_capacity(runs.len());
+        for first in (0..runs.len()).step_by(at_once) {
+            let batch = parallel::map((runs.len() - first).min(at_once), |k| {
+                let row = one(&recipes[first + k], &runs[first + k], cancel)?;
+                done(first + k, &row);
+                Ok(row)
+            });
+            for row in batch {
+                rows.push(row?);
+            }
+        }
+        Ok(rows)
+    }
+
+    fn overrides(&self, seed: u64, values: &[String]) -> Result<Vec<Override>> {
+        let mut overrides = vec![Override::parse(&format!("seed={seed}"))?];
+        for (over, value) in self.over.iter().zip(values) {
+            overrides.push(Override::parse(&format!("{}={value}", over.key))?);
+        }
+        Ok(overrides)
+    }
+
+    /// The rows as CSV.
+    pub fn table(&self, rows: &[Row]) -> String {
+        let quote = |text: &str| {
+            if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into() }
+        };
+        let keys: Vec<String> = self.over.iter().map(|o| quote(&o.key)).collect();
+        let mut table = ["seed".to_string()].into_iter().chain(keys).collect::<Vec<_>>().join(",");
+        table += ",min_m,mean_m,max_m,median_slope,max_slope,hypsometric_integral,concavity,lakes,steps,time_yr,stopped,residual\n";
+        for row in rows {
+            let values: Vec<String> = row.values.iter().map(|v| quote(v)).collect();
+            let head = [row.seed.to_string()].into_iter().chain(values).collect::<Vec<_>>().join(",");
+            let s = &row.summary;
+            // Text in memory cannot fail to be written.
+            let _ = write!(
+                table,
+                "{head},{:.4},{:.4},{:.4},{:.6},{:.6},{:.6},{:.6},{}",
+                s.min,
+                s.mean,
+                s.max,
+                s.median_slope,
+                s.max_slope,
+                row.hypsometry.integral,
+                row.slope_area.concavity,
+                s.lakes
+            );
+            let _ = match &row.outcome {
+                Some(o) => {
+                    let residual = o.residual.map_or(String::new(), |r| format!("{r:.3e}"));
+                    writeln!(table, ",{},{:.6e},{:?},{residual}", o.steps, o.time / YEAR, o.stopped)
+                }
+                None => writeln!(table, ",,,,"),
+            };
+        }
+        table
+    }
+}
+
+fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cancel: &CancelToken) -> Result<Row> {
+    let started = Instant::now();
+    let options = Options { cancel: cancel.clone(), quiet: true, ..Options::default() };
+    let Ran::ToTheEnd(terrain, history) = recipe.run(&mut MemoryOutput::default(), &options)? else {
+        return Err(Error::Interrupted);
+    };
+    let seconds = started.elapsed().as_secs_f64();
+    let (summary, hypsometry, slope_area) = match &*terrain {
+        AnyTerrain::HeightField(t) => measured(t)?,
+        AnyTerrain::Mesh(t) => measured(t)?,
+    };
+    let outcome = history.iter().rev().find_map(|e| e.outcome);
+    Ok(Row { seed: *seed, values: values.clone(), outcome, summary, hypsometry, slope_area, seconds, terrain })
+}
+
+fn measured<T: Drawable>(terrain: &T) -> Result<(Summary, Hypsometry, SlopeArea)> {
+    let summary = summary(terrain);
+    let least = 4.0 * summary.area / summary.nodes.max(1) as f64;
+    Ok((summary, hypsometry(terrain.raster()?.elevation()), slope_area(terrain, least)))
+}
+
+/// Pictures side by side, each with its number in the corner, in rows that make the sheet about square.
+///
+/// # Errors
+/// As drawing; [`Error::Parameter`] without rows.
+pub fn contact_sheet(rows: &[Row], picture: &WritePicture, gap: usize) -> Result<Picture> {
+    let pictures = rows.iter().map(|r| r.terrain.draw(picture)).collect::<Result<Vec<_>>>()?;
+    let greatest = |f: fn(&Picture) -> usize| pictures.iter().map(f).max();
+    let (Some(width), Some(height)) = (greatest(|p| p.shape.cols), greatest(|p| p.shape.rows)) else {
+        return Err(Error::parameter("sheet", "without runs", "at least one run"));
+    };
+    let across = ((pictures.len() * height) as f64 / width as f64).sqrt().ceil().max(1.0) as usize;
+    let down = pictures.len().div_ceil(across);
+    let shape = Shape::new(down * (height + gap) + gap, across * (width + gap) + gap);
+    let mut sheet = Picture { shape, pixels: vec![[244, 243, 240]; shape.len()] };
+    for (k, picture) in pictures.iter().enumerate() {
+        let (top, left) = (gap + k / across * (height + gap), gap + k % across * (width + gap));
+        for row in 0..picture.shape.rows {
+            let from = picture.shape.index(row, 0);
+            let to = shape.index(top + row, left);
+            sheet.pixels[to..to + picture.shape.cols].copy_from_slice(&picture.pixels[from..from + picture.shape.cols]);
+        }
+        number(&mut sheet, [top + 4, left + 4], k + 1);
+    }
+    Ok(sheet)
+}
+
+/// Digits of 3 by 5 dots, a row in three bits.
+const DIGITS: [[u8; 5]; 10] = [
+    [7, 5, 5, 5, 7],
+    [2, 6, 2, 2, 7],
+    [7, 1, 7, 4, 7],
+    [7, 1, 7, 1, 7],
+    [5, 5, 7, 1, 1],
+    [7, 4, 7, 1, 7],
+    [7, 4, 7, 5, 7],
+    [7, 1, 2, 2, 2],
+    [7, 5, 7, 5, 7],
+    [7, 5, 7, 1, 7],
+];
+
+/// Paints a number, dark on light, at a corner.
+fn number(picture: &mut Picture, [top, left]: [usize; 2], value: usize) {
+    const DOT: usize = 3;
+    let text = value.to_string();
+    let (rows, cols) = (7 * DOT, (4 * text.len() + 1) * DOT);
+    let mut paint = |row: usize, col: usize, colour: [u8; 3]| {
+        if top + row < picture.shape.rows && left + col < picture.shape.cols {
+            let i = picture.shape.index(top + row, left + col);
+            picture.pixels[i] = colour;
+        }
+    };
+    for row in 0..rows {
+        for col in 0..cols {
+            paint(row, col, [250, 250, 248]);
+        }
+    }
+    for (k, digit) in text.bytes().enumerate() {
+        let dots = &DIGITS[usize::from(digit - b'0')];
+        for row in 0..5 * DOT {
+            for col in 0..3 * DOT {
+                if dots[row / DOT] >> (2 - col / DOT) & 1 == 1 {
+                    paint(row + DOT, col + DOT * (4 * k + 1), [40, 40, 44]);
+                }
+            }
+        }
+    }
+}
