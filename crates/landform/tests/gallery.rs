@@ -26,6 +26,130 @@ const SMALL: &[(&str, &[&str])] = &[
     ("range", &["today.cell_size=360 m", "write_picture.size=160"]),
     ("noise", &["spectral_fbm.cell_size=250 m", "write_picture.size=160"]),
     ("ridge", &["stream_graph.nodes=1200", "to_height_field.cell_size=500 m", "write_picture.size=160"]),
+    (
+        "island",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.duration=3 Myr",
+            "write_heightmap.size=127",
+        ],
+    ),
+    (
+        "constant",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "gradient",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "stepped",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "diamond",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "radial",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "streams",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "ridges",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "strokes",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "mask",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "outlets",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    (
+        "rain",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    ("area_exponent", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
+    ("uplift_rate", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
+    ("erodibility", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
+    (
+        "talus",
+        &[
+            "stream_graph.nodes=1200",
+            "to_height_field.cell_size=500 m",
+            "write_picture.size=160",
+            "evolve.clock.max_steps=60",
+        ],
+    ),
+    ("size", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
+    ("convergence", &["stream_graph.nodes=1200", "evolve.clock.max_steps=20", "evolve.watch.size=64"]),
+    ("many", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
