@@ -4,6 +4,7 @@
 
 mod fuzz;
 mod layers;
+mod reproduce;
 mod validate;
 
 use std::process::{Command, ExitCode};
@@ -13,6 +14,7 @@ const HELP: &str = "cargo xtask COMMAND
   layers              checks who imports whom
   gallery [--accept]  runs the gallery's goldens, or accepts what comes out now
   fuzz [SECONDS]      throws damaged files at every reader, SECONDS each (60)
+  reproduce bell      a thesis' tables and figures, ours beside its own (docs/bell)
   validate            convergence studies; prints tables
   bench               cargo bench";
 
@@ -23,6 +25,7 @@ fn main() -> ExitCode {
         Some("layers") => layers::check(),
         Some("gallery") => gallery(args.iter().any(|a| a == "--accept")),
         Some("fuzz") => fuzz::run(args.get(1).and_then(|s| s.parse().ok()).unwrap_or(60.0)),
+        Some("reproduce") => reproduce::run(args.get(1).map(String::as_str)),
         Some("validate") => validate::run(),
         Some("bench") => cargo(&["bench", "--workspace"], &[]),
         _ => {

@@ -4,8 +4,8 @@
 //! Nodes are numbered along a Hilbert curve before anything else, so that neighbours in space are neighbours in memory and
 //! no result depends on the order in which sites were given. A library triangulates; links are read from its half-edges in
 //! counter-clockwise order. Cell areas are signed sums over triangles (|ij|²/8 · cot of the opposite angle to both ends):
-//! exact Voronoi areas as long as no circumcentre lies outside the hull, and always summing to the hull's area. Unsigned
-//! areas, as in Bell's thesis (algorithm 1), are wrong wherever a triangle is obtuse.
+//! exact Voronoi areas as long as no circumcentre lies outside the hull, and always summing to the hull's area. Where that
+//! leaves a node of the border without area, all nodes take a third of their triangles instead. Unsigned areas, as in Bell's thesis (algorithm 1), are wrong wherever a triangle is obtuse.
 //!
 //! # Sources
 //! Bell (thesis), chapter 3; validation notes 2.11 and 2.12 on signed areas and boundary edges; Meyer et al. (2003) for
@@ -198,7 +198,21 @@ fn build_graph(
     let status = (0..n).map(|i| if !closed[i] && is_open(positions[i], bounds, edges) { BASE_LEVEL } else { INTERIOR });
     let status = status.collect();
     drop((cotangent, first));
+    if area.iter().any(|a| !(*a > 0.0)) {
+        area = thirds(positions, triangles);
+    }
     Ok(Graph::new(start, links, closed, area, status))
+}
+
+/// A third of the triangles around each node: an area that is positive everywhere and sums to the hull.
+fn thirds(positions: &[[f64; 2]], triangles: &[usize]) -> Vec<f64> {
+    let mut area = vec![0.0; positions.len()];
+    for t in triangles.chunks_exact(3) {
+        let [a, b, c] = [t[0], t[1], t[2]].map(|i| positions[i]);
+        let twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        t.iter().for_each(|&i| area[i] += twice.abs() / 6.0);
+    }
+    area
 }
 
 fn next(e: usize) -> usize {
@@ -377,6 +391,15 @@ mod tests {
             Mesh::delaunay(&sites(), Edges::default()).unwrap(),
             Mesh::delaunay(&shuffled, Edges::default()).unwrap()
         );
+    }
+
+    #[test]
+    fn areas_are_positive_even_with_a_ragged_border() {
+        let ragged: Vec<[f64; 2]> = (0..300).map(|i| [Seed(3).uniform(2 * i), Seed(3).uniform(2 * i + 1)]).collect();
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        let mesh = Mesh::delaunay(&[&ragged[..], &corners].concat(), Edges::default()).unwrap();
+        assert!(mesh.graph().areas().iter().all(|a| *a > 0.0));
+        assert!((mesh.graph().areas().iter().sum::<f64>() - 1.0).abs() < 1e-9);
     }
 
     #[test]

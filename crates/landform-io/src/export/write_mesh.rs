@@ -4,6 +4,7 @@ use std::path::Path;
 
 use landform_core::Result;
 use landform_core::terrain::{HeightField, Mesh};
+use landform_core::units::Length;
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -16,11 +17,15 @@ use crate::format::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, 
 pub struct WriteMesh {
     /// Path below the output folder.
     pub path: String,
+    /// Makes a watertight body, with walls and a floor so far under the lowest point, for printing; the surface alone if not
+    /// given.
+    #[schemars(extend("x-above" = 0.0))]
+    pub solid_base: Option<Length>,
 }
 
 impl Default for WriteMesh {
     fn default() -> Self {
-        Self { path: "terrain.glb".into() }
+        Self { path: "terrain.glb".into(), solid_base: None }
     }
 }
 
@@ -35,19 +40,23 @@ impl Params for WriteMesh {
 }
 
 impl WriteMesh {
-    fn write(&self, mesh: &MeshFile, out: &mut dyn Output) -> Result<()> {
-        out.put(&self.path, &(mesh_format(Path::new(&self.path))?.write)(mesh)?)
+    fn write(&self, mesh: MeshFile, out: &mut dyn Output) -> Result<()> {
+        let mesh = match self.solid_base {
+            Some(thickness) => mesh.solid(thickness.si()),
+            None => mesh,
+        };
+        out.put(&self.path, &(mesh_format(Path::new(&self.path))?.write)(&mesh)?)
     }
 }
 
 impl Export<Mesh> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, Mesh>, out: &mut dyn Output) -> Result<()> {
-        self.write(&mesh_file_from_mesh(landscape.terrain), out)
+        self.write(mesh_file_from_mesh(landscape.terrain), out)
     }
 }
 
 impl Export<HeightField> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
-        self.write(&mesh_file_from_height_field(landscape.terrain), out)
+        self.write(mesh_file_from_height_field(landscape.terrain), out)
     }
 }

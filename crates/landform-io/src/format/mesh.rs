@@ -1,5 +1,7 @@
 //! A surface as files of meshes want it.
 
+use std::collections::HashSet;
+
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, mesh_parts_from_height_field};
 
 /// Points and triangles, z up, metres, counter-clockwise seen from above.
@@ -24,6 +26,29 @@ pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
 }
 
 impl MeshFile {
+    /// The ground as a watertight body: walls along every edge that has one triangle only, and a level floor `thickness` metres
+    /// under the lowest point.
+    pub fn solid(mut self, thickness: f64) -> Self {
+        let floor = self.points.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min) - thickness;
+        let n = self.points.len() as u32;
+        let top = self.triangles.len();
+        let edges: HashSet<(u32, u32)> =
+            self.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect();
+        for k in 0..top {
+            let [a, b, c] = self.triangles[k];
+            // The ground's side is on the left of a rim edge, the outside on its right.
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                if !edges.contains(&(b, a)) {
+                    self.triangles.extend([[a, a + n, b + n], [a, b + n, b]]);
+                }
+            }
+            self.triangles.push([c + n, b + n, a + n]);
+        }
+        self.points.extend_from_within(..);
+        self.points[n as usize..].iter_mut().for_each(|p| p[2] = floor);
+        self
+    }
+
     /// Middle of the bounding box: what is subtracted where only 32-bit numbers are stored, so that large coordinates keep
     /// their centimetres.
     pub(super) fn centre(&self) -> [f64; 3] {
@@ -66,4 +91,43 @@ fn cross([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
 fn unit(v: [f64; 3]) -> [f32; 3] {
     let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
     if length > 0.0 { v.map(|x| (x / length) as f32) } else { [0.0, 0.0, 1.0] }
+}
+
+#[cfg(test)]
+mod tests {
+    use landform_core::grid::{Grid, Shape};
+
+    use super::*;
+
+    #[test]
+    fn a_solid_is_closed_and_has_the_volume_under_the_ground() {
+        let n = 9;
+        let mut z: Vec<f64> = (0..n * n).map(|i| (i % 7) as f64).collect();
+        z[4 * n + 4] = f64::NAN;
+        let field = HeightField::new(Grid::new(Shape::new(n, n), [2.0, 2.0]).unwrap(), z).unwrap();
+        let surface = mesh_file_from_height_field(&field);
+        let prism = |t: &[u32; 3]| {
+            let mean = t.iter().map(|&i| surface.points[i as usize][2]).sum::<f64>() / 3.0;
+            0.5 * cross(t.map(|i| surface.points[i as usize]))[2] * (mean + 5.0)
+        };
+        let expected: f64 = surface.triangles.iter().map(prism).sum();
+        let body = surface.clone().solid(5.0);
+        let mut edges = std::collections::HashMap::new();
+        for &[a, b, c] in &body.triangles {
+            for e in [(a, b), (b, c), (c, a)] {
+                *edges.entry(e).or_insert(0) += 1;
+            }
+        }
+        assert!(edges.iter().all(|(&(a, b), &count)| count == 1 && edges.get(&(b, a)) == Some(&1)));
+        let volume: f64 = body
+            .triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|i| body.points[i as usize]);
+                let d = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+                (a[0] * d[0] + a[1] * d[1] + a[2] * d[2]) / 6.0
+            })
+            .sum();
+        assert!((volume / expected - 1.0).abs() < 1e-12, "{volume} {expected}");
+    }
 }
