@@ -1,0 +1,147 @@
+//! Height maps as engines read them: an asymmetric pattern must come back upright, in place and in metres.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+
+use std::collections::BTreeMap;
+
+use landform_core::grid::{Grid, Shape};
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::verb::{Export, Landscape, MemoryOutput, Params};
+use landform_io::export::{Preset, WriteHeightmap};
+use landform_io::format::{Sidecar, raster_format};
+
+/// A letter F of different heights on a ramp: no flip, turn or transpose leaves it as it is.
+fn letter(n: usize) -> HeightField {
+    let grid = Grid::new(Shape::new(n, n), [20.0, 20.0]).unwrap();
+    let z = (0..n * n).map(|i| {
+        let (row, col) = (8 * (i / n) / n, 8 * (i % n) / n);
+        let stem = col == 1 && (1..7).contains(&row);
+        let bars = (row == 1 && (1..6).contains(&col)) || (row == 3 && (1..4).contains(&col));
+        -120.0
+            + 0.5 * (i % n) as f64
+            + if stem {
+                300.0
+            } else if bars {
+                200.0
+            } else {
+                0.0
+            }
+    });
+    HeightField::new(grid, z.collect()).unwrap()
+}
+
+fn export(preset: Preset, path: &str, field: &HeightField, size: Option<usize>) -> BTreeMap<String, Vec<u8>> {
+    let stage = WriteHeightmap { path: path.into(), preset, size };
+    stage.validate().unwrap();
+    let mut out = MemoryOutput::default();
+    stage.export(&Landscape { terrain: field, history: &[], seed: 5, title: "F" }, &mut out).unwrap();
+    out.0
+}
+
+fn card(files: &BTreeMap<String, Vec<u8>>, path: &str) -> String {
+    String::from_utf8(files[&format!("{path}.md")].clone()).unwrap()
+}
+
+/// The numbers of a row of a card's table.
+fn row(card: &str, name: &str) -> Vec<f64> {
+    let line =
+        card.lines().find(|l| l.starts_with(&format!("| {name} |"))).unwrap_or_else(|| panic!("{name} in\n{card}"));
+    line.split(['|', ',']).skip(2).filter_map(|c| c.trim().parse().ok()).collect()
+}
+
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance, "{found} {expected}");
+}
+
+#[test]
+fn unreal_reads_the_letter_upright_and_in_metres() {
+    let field = letter(127);
+    let files = export(Preset::Unreal, "f.png", &field, None);
+    let card = card(&files, "f.png");
+    let (location, scale) = (row(&card, "Location"), row(&card, "Scale"));
+    let raw = (raster_format("f.png".as_ref()).unwrap().read)(&files["f.png"], None).unwrap();
+    assert_eq!(raw.grid.shape, Shape::new(127, 127));
+    for i in 0..127 * 127 {
+        // Unreal: Z = location + (v - 32768)/128 * scale, in cm; the first row has the least Y, which is north here.
+        let z = location[2] + (raw.elevation()[i] - 32_768.0) / 128.0 * scale[2];
+        close(z / 100.0, field.elevation()[i], 0.01);
+    }
+    close(scale[0], 2000.0, 1e-6);
+    close(scale[1], 2000.0, 1e-6);
+    // Read back with its own sidecar it is the same land.
+    let sidecar = Sidecar::parse(&files["f.png.landform.json"]).unwrap();
+    let back = (raster_format("f.png".as_ref()).unwrap().read)(&files["f.png"], Some(&sidecar)).unwrap();
+    assert!(back.elevation().iter().zip(field.elevation()).all(|(a, b)| (a - b).abs() < 0.005));
+}
+
+#[test]
+fn unity_reads_the_letter_from_the_south() {
+    let field = letter(129);
+    let files = export(Preset::Unity, "f.raw", &field, None);
+    let card = card(&files, "f.raw");
+    let size = row(&card, "Terrain Size X, Y, Z");
+    assert_eq!(row(&card, "Resolution"), [129.0]);
+    close(size[0], 128.0 * 20.0, 1e-9);
+    let base: f64 = card.split("Position Y: ").nth(1).unwrap().split(". ").next().unwrap().parse().unwrap();
+    let samples: Vec<u16> = files["f.raw"].chunks(2).map(|b| u16::from_le_bytes([b[0], b[1]])).collect();
+    for z in 0..129 {
+        for x in 0..129 {
+            // Unity: row z counts from the south, 65535 is the terrain's height.
+            let height = base + f64::from(samples[z * 129 + x]) / 65_535.0 * size[1];
+            close(height, field.elevation()[(128 - z) * 129 + x], 0.01);
+        }
+    }
+}
+
+#[test]
+fn godot_blender_and_gis_get_metres() {
+    let field = letter(65);
+    let files = export(Preset::Godot, "f.exr", &field, None);
+    assert!(card(&files, "f.exr").contains("| Vertex Spacing | 20 |"));
+    let header = String::from_utf8_lossy(&files["f.exr"][..400]).into_owned();
+    assert!(["R\0", "G\0", "B\0"].iter().all(|c| header.contains(c)), "three channels");
+    let read = |path: &str, bytes: &[u8]| (raster_format(path.as_ref()).unwrap().read)(bytes, None).unwrap();
+    for (files, path) in [
+        (&files, "f.exr"),
+        (&export(Preset::Blender, "b.exr", &field, None), "b.exr"),
+        (&export(Preset::Gis, "g.tif", &field, None), "g.tif"),
+    ] {
+        let back = read(path, &files[path]);
+        assert!(back.elevation().iter().zip(field.elevation()).all(|(a, b)| (a - b).abs() < 1e-4), "{path}");
+    }
+    let r16 = export(Preset::Godot, "f.r16", &field, None);
+    let range = row(&card(&r16, "f.r16"), "R16 Range");
+    let first = f64::from(u16::from_le_bytes([r16["f.r16"][0], r16["f.r16"][1]]));
+    close(range[0] + first / 65_535.0 * (range[1] - range[0]), field.elevation()[0], 0.01);
+    assert!(card(&export(Preset::Blender, "b.glb", &field, None), "b.glb").contains("glTF"));
+}
+
+#[test]
+fn other_sizes_are_resampled_and_said_so() {
+    let field = letter(100);
+    let files = export(Preset::Unreal, "f.r16", &field, None);
+    assert_eq!(files["f.r16"].len(), 2 * 127 * 127);
+    let card = card(&files, "f.r16");
+    assert!(card.contains("The landscape has 100 x 100 nodes; it was resampled"));
+    close(row(&card, "Scale")[0], 100.0 * 99.0 * 20.0 / 126.0, 1e-3);
+    let mut holes = field.elevation().to_vec();
+    holes[0] = f64::NAN;
+    let holes = HeightField::new(field.grid.clone(), holes).unwrap();
+    let files = export(Preset::Unity, "h.raw", &holes, Some(129));
+    assert!(String::from_utf8_lossy(&files["h.raw.md"]).contains("without data"));
+}
+
+#[test]
+fn what_an_engine_cannot_read_is_refused() {
+    for (preset, path, size, message) in [
+        (Preset::Unreal, "f.exr", None, ".png or .r16"),
+        (Preset::Unreal, "f_1009x1009.png", None, "one tile of many"),
+        (Preset::Unreal, "f.png", Some(1024), "one of 127, 253"),
+        (Preset::Unity, "f.raw", Some(512), "33, 65"),
+        (Preset::Godot, "f.png", None, ".exr or .r16"),
+        (Preset::Gis, "../f.tif", None, "below the output folder"),
+    ] {
+        let error = WriteHeightmap { path: path.into(), preset, size }.validate().unwrap_err().to_string();
+        assert!(error.contains(message), "{path}: {error}");
+    }
+}
