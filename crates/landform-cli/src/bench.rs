@@ -1,7 +1,7 @@
 //! `landform bench`: the peers' tasks, one line of JSON each, so that both run in turns.
 //!
 //! Tasks: A = depressions, D8 and drainage area of an elevation file; B = stream power on an n × n raster; C = stream power
-//! on a mesh of n nodes; mesh = Delaunay and areas of n sites.
+//! on a mesh of n nodes; mesh = Delaunay and areas of n sites; steady = C to a steady state, bit by bit, from coarse to fine.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -25,7 +25,7 @@ use crate::show_error::Failure;
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// A, B, C or mesh.
+    /// A, B, C, mesh or steady.
     task: String,
     /// Elevation file of task A.
     #[arg(long)]
@@ -47,7 +47,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         "B" => raster(args),
         "C" => mesh(args),
         "mesh" => delaunay(args),
-        other => Err(Error::parameter("task", other, "A, B, C or mesh")),
+        "steady" => steady(args),
+        other => Err(Error::parameter("task", other, "A, B, C, mesh or steady")),
     })??;
     say!("{result}");
     Ok(ExitCode::SUCCESS)
@@ -150,14 +151,37 @@ fn raster(args: &Args) -> Result<Value> {
     Ok(line("B", args.n, args.threads, times.iter().sum(), used, more))
 }
 
-fn mesh(args: &Args) -> Result<Value> {
+fn rough_mesh(n: usize) -> Result<Mesh> {
     let size = [32_768.0; 2];
-    let sites = poisson_disk(size, spacing_for_count(size, args.n), Seed(7))?;
+    let sites = poisson_disk(size, spacing_for_count(size, n), Seed(7))?;
     let mut terrain = Mesh::delaunay(&sites, Edges::default())?;
     let domain = terrain.domain();
     for (i, z) in terrain.elevation_mut().iter_mut().enumerate() {
         *z = if domain.status()[i] == 0 { 0.01 * Seed(8).uniform(i as u64) } else { 0.0 };
     }
+    Ok(terrain)
+}
+
+fn steady(args: &Args) -> Result<Value> {
+    let begun = Instant::now();
+    let mesh = rough_mesh(args.n)?;
+    let meshed = begun.elapsed().as_secs_f64();
+    let (nodes, before, start) = (mesh.elevation().len(), cpu(), Instant::now());
+    let rivers = StreamPower { erodibility: Erodibility::of(5.6e-7).into(), ..StreamPower::default() };
+    let mut simulation = Simulation::new(mesh)
+        .process(Uplift { rate: Rate::of(0.4).into() })?
+        .process(rivers)?
+        .dt(1e9 * YEAR)
+        .until(Stop::steady(0.0).or_steps(1_000))
+        .refine(8);
+    let outcome = simulation.run()?;
+    let more = json!({ "mesh_seconds": meshed, "steps": outcome.steps, "residual": outcome.residual,
+        "stopped": format!("{:?}", outcome.stopped) });
+    Ok(line("steady", nodes, args.threads, start.elapsed().as_secs_f64(), cpu() - before, more))
+}
+
+fn mesh(args: &Args) -> Result<Value> {
+    let terrain = rough_mesh(args.n)?;
     let (terrain, times, used) = evolve(terrain, 0.4, 5.6e-7, 250_000.0, args.steps.max(1))?;
     let z = terrain.elevation();
     let mut more = statistics(&times);

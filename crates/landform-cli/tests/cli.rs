@@ -127,3 +127,35 @@ fn rasters_are_converted_and_drawn() {
     let wrong = landform(dir.path(), &["convert", "a.asc", "a.xyz"]);
     assert!(text(&wrong.stderr).contains("error:") && !wrong.status.success());
 }
+
+#[test]
+fn a_recipe_is_varied_over_seeds_and_keys() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.toml"), SMALL).unwrap();
+    let args = [
+        "vary",
+        "r.toml",
+        "-n",
+        "2",
+        "--over",
+        "uplift.rate=0.2 mm/yr,0.6 mm/yr",
+        "--sheet",
+        "s.png",
+        "--table",
+        "t.csv",
+        "--size",
+        "40",
+    ];
+    let vary = landform(dir.path(), &args);
+    assert!(vary.status.success(), "{}", text(&vary.stderr));
+    let table = text(&std::fs::read(dir.path().join("t.csv")).unwrap());
+    assert_eq!(table.lines().count(), 5);
+    assert!(std::fs::read(dir.path().join("s.png")).unwrap().starts_with(b"\x89PNG"));
+    assert!(!dir.path().join("out").exists(), "nothing is exported");
+    for (over, message) in
+        [("uplift.rte=1", "no parameter `rte`"), ("rate", "--over STAGE.key=a,b,c"), ("lift.rate=1", "lift")]
+    {
+        let vary = landform(dir.path(), &["vary", "r.toml", "--over", over]);
+        assert!(!vary.status.success() && text(&vary.stderr).contains(message), "{}", text(&vary.stderr));
+    }
+}

@@ -8,7 +8,11 @@ use std::path::Path;
 use landform::core::parallel::with_threads;
 use landform::core::terrain::{NodeSurface, Terrain};
 use landform::core::verb::{CancelToken, MemoryOutput};
-use landform::recipe::{AnyTerrain, Options, Ran, Recipe, STAGES, Signal, Stage, Verb, parameters, schema};
+use landform::io::export::WritePicture;
+use landform::recipe::{
+    AnyTerrain, Options, Over, Override, Ran, Recipe, STAGES, Signal, Stage, Sweep, Verb, contact_sheet, parameters,
+    schema,
+};
 
 fn start(kind: &str) -> &'static str {
     match kind {
@@ -243,4 +247,90 @@ fn volumes_are_measured_alike_on_both_representations() {
     };
     // The raster's border cells stick out by half a cell, at elevation 0.
     assert!((raster.volume() / mesh.volume() - 1.0).abs() < 0.05, "{} {}", raster.volume(), mesh.volume());
+}
+
+const WATCHED: &str = "seed = 3\n[[stage]]\nuse = \"stream_graph\"\nnodes = 500\nsize = [\"8 km\", \"8 km\"]\n\
+    [[stage]]\nuse = \"evolve\"\nclock = { dt = \"40 kyr\", duration = \"1 Myr\" }\n\
+    watch = { table = \"t.csv\", animation = \"a.gif\", frames = \"f/f.png\", every = \"250 kyr\", size = 32 }\n\
+    process = [ { use = \"uplift\" }, { use = \"stream_power\", deposition = 0.5 } ]\n";
+
+#[test]
+fn a_watched_run_writes_what_it_saw_even_from_the_cache() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = || Options { cache: Some(folder.path().into()), ..Options::default() };
+    let (mut first, mut again) = (MemoryOutput::default(), MemoryOutput::default());
+    recipe(WATCHED).run(&mut first, &options()).unwrap();
+    recipe(WATCHED).run(&mut again, &options()).unwrap();
+    assert!(first.0 == again.0, "the same bytes");
+    let names: Vec<&str> = first.0.keys().map(String::as_str).collect();
+    assert_eq!(names, ["a.gif", "f/f_0001.png", "f/f_0002.png", "f/f_0003.png", "f/f_0004.png", "t.csv"]);
+    let table = String::from_utf8(first.0["t.csv"].clone()).unwrap();
+    let times: Vec<f64> = table.lines().skip(1).map(|l| l.split(',').nth(1).unwrap().parse().unwrap()).collect();
+    assert!(times.iter().zip([2.5e5, 5e5, 7.5e5, 1e6]).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{times:?}");
+    let quiet = Options { quiet: true, ..Options::default() };
+    let mut nothing = MemoryOutput::default();
+    recipe(WATCHED).run(&mut nothing, &quiet).unwrap();
+    assert!(nothing.0.is_empty());
+}
+
+#[test]
+fn a_sweep_runs_every_combination_and_its_rows_do_not_depend_on_threads() {
+    let sweep = Sweep {
+        seeds: vec![4, 5],
+        over: vec![
+            Over::parse("uplift.rate=0.2 mm/yr,0.4 mm/yr").unwrap(),
+            Over::parse("stream_power.deposition=0;1").unwrap(),
+        ],
+    };
+    let text = WATCHED.lines().filter(|l| !l.starts_with("watch")).collect::<Vec<_>>().join("\n");
+    let load = |overrides: &[Override]| Recipe::parse(&text, "test", Path::new("."), overrides);
+    let table = |threads| {
+        with_threads(threads, || {
+            let rows = sweep.run(load, None, &CancelToken::default(), |_, _| {}).unwrap();
+            let sheet = contact_sheet(&rows, &WritePicture { size: 24, ..WritePicture::default() }, 2).unwrap();
+            (sweep.table(&rows), sheet)
+        })
+        .unwrap()
+    };
+    let (one, two) = (table(1), table(2));
+    assert!(one == two);
+    let lines: Vec<&str> = one.0.lines().collect();
+    assert_eq!(lines.len(), 9);
+    assert!(lines[0].starts_with("seed,uplift.rate,stream_power.deposition,min_m"));
+    assert!(lines[1].starts_with("4,0.2 mm/yr,0,") && lines[8].starts_with("5,0.4 mm/yr,1,"));
+    assert!(one.1.shape.rows > 3 * 13 && one.1.shape.cols > 3 * 24);
+    assert!(Over::parse("uplift.rate").is_err() && Over::parse("a.b=1,,2").is_err());
+}
+
+#[test]
+fn features_of_both_representations_only_run_downhill() {
+    for more in ["", "[[stage]]\nuse = \"to_height_field\"\ncell_size = \"100 m\"\n"] {
+        let text = format!(
+            "{}[[stage]]\nuse = \"stream_power\"\nclock = {{ dt = \"20 kyr\", max_steps = 4 }}\n{more}\
+             [[stage]]\nuse = \"write_features\"\nleast_area = \"0.5 km2\"\n",
+            start("mesh")
+        );
+        let mut out = MemoryOutput::default();
+        recipe(&text).run(&mut out, &Options::default()).unwrap();
+        let json: serde_json::Value = serde_json::from_slice(&out.0["features.geojson"]).unwrap();
+        let features = json["features"].as_array().unwrap();
+        let of = |kind: &str| features.iter().filter(|f| f["properties"]["kind"] == kind).collect::<Vec<_>>();
+        assert!(of("river").len() > 5 && !of("lake").is_empty() && !of("basin").is_empty());
+        let ids: BTreeSet<&str> = of("river").iter().map(|r| r["properties"]["id"].as_str().unwrap()).collect();
+        assert_eq!(ids.len(), of("river").len());
+        for river in of("river") {
+            let z: Vec<f64> =
+                river["geometry"]["coordinates"].as_array().unwrap().iter().map(|p| p[2].as_f64().unwrap()).collect();
+            assert!(z.windows(2).all(|w| w[1] <= w[0]), "{river}");
+            if let Some(to) = river["properties"]["flows_to"].as_str() {
+                assert!(ids.contains(to));
+            }
+        }
+        for lake in of("lake") {
+            for ring in lake["geometry"]["coordinates"].as_array().unwrap() {
+                let ring = ring.as_array().unwrap();
+                assert!(ring.len() >= 5 && ring.first() == ring.last());
+            }
+        }
+    }
 }
