@@ -1,6 +1,6 @@
 //! `landform vary`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use landform::core::parallel::with_threads;
@@ -55,7 +55,14 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let load = |overrides: &[landform::recipe::Override]| Recipe::load(&args.recipe, overrides);
     let own = load(&[]).map_err(about(&args.recipe))?.seed;
     let first = args.seed.unwrap_or(own);
-    let sweep = Sweep { seeds: (0..args.n.clamp(1, 10_000)).map(|k| first.wrapping_add(k)).collect(), over };
+    if !(1..=10_000).contains(&args.n) {
+        return Err(Error::parameter("n", args.n, "1 to 10,000 seeds").into());
+    }
+    for path in args.table.iter().chain(&args.sheet) {
+        check_folder(path)?;
+    }
+    let seeds = (0..args.n).map(|k| first.wrapping_add(k)).collect();
+    let sweep = Sweep { seeds, over, keep: args.sheet.is_some() };
     let runs = sweep.runs(own)?.len();
     let picture = picture(args)?;
     if args.sheet.is_some() && runs * args.size * args.size > MOST_PIXELS {
@@ -71,7 +78,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         token.cancel();
     })
     .ok();
-    let rows = with_threads(args.threads, || {
+    let (rows, failure) = with_threads(args.threads, || {
         sweep.run(load, memory::available(), &cancel, |k, row| {
             if !args.quiet {
                 let values = if row.values.is_empty() { String::new() } else { format!(" {}", row.values.join(" ")) };
@@ -92,11 +99,24 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Some(path) => write_whole(path, table.as_bytes())?,
         None => say!("{}", table.trim_end()),
     }
-    if let Some(path) = &args.sheet {
+    if let Some(path) = args.sheet.as_ref().filter(|_| !rows.is_empty()) {
         let sheet = contact_sheet(&rows, &picture, 8)?;
         write_whole(path, &encode_png(&sheet.pixels, sheet.shape)?)?;
     }
-    Ok(ExitCode::SUCCESS)
+    match failure {
+        None => Ok(ExitCode::SUCCESS),
+        Some(Error::Interrupted) => {
+            eprintln!("interrupted: {} of {runs} runs were finished", rows.len());
+            Ok(ExitCode::from(130))
+        }
+        Some(e) => Err(about(&args.recipe)(e)),
+    }
+}
+
+/// Refuses a file in a folder that is not there, before hours of runs.
+fn check_folder(path: &Path) -> Result<()> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    std::fs::metadata(folder).map(drop).map_err(|e| Error::io("write in", folder, e))
 }
 
 fn picture(args: &Args) -> Result<WritePicture> {

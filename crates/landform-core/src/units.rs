@@ -196,6 +196,8 @@ const UNITS: &[(&str, f64, i8, i8, bool)] = &[
     ("ka", KYR, 0, 1, false),
     ("Myr", MYR, 0, 1, false),
     ("Ma", MYR, 0, 1, false),
+    ("Gyr", 1e3 * MYR, 0, 1, false),
+    ("Ga", 1e3 * MYR, 0, 1, false),
     ("deg", std::f64::consts::PI / 180.0, 0, 0, true),
     ("°", std::f64::consts::PI / 180.0, 0, 0, true),
     ("rad", 1.0, 0, 0, true),

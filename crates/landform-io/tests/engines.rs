@@ -136,6 +136,7 @@ fn what_an_engine_cannot_read_is_refused() {
     for (preset, path, size, message) in [
         (Preset::Unreal, "f.exr", None, ".png or .r16"),
         (Preset::Unreal, "f_1009x1009.png", None, "one tile of many"),
+        (Preset::Unreal, "f_x0_y0.png", None, "one tile of many"),
         (Preset::Unreal, "f.png", Some(1024), "one of 127, 253"),
         (Preset::Unity, "f.raw", Some(512), "33, 65"),
         (Preset::Godot, "f.png", None, ".exr or .r16"),
@@ -144,4 +145,18 @@ fn what_an_engine_cannot_read_is_refused() {
         let error = WriteHeightmap { path: path.into(), preset, size }.validate().unwrap_err().to_string();
         assert!(error.contains(message), "{path}: {error}");
     }
+}
+
+#[test]
+fn cells_stay_square_and_level_ground_has_a_range() {
+    let grid = Grid::new(Shape::new(61, 101), [100.0, 100.0]).unwrap();
+    let field = HeightField::new(grid, vec![5.0; 61 * 101]).unwrap();
+    let files = export(Preset::Godot, "f.r16", &field, Some(65));
+    let text = card(&files, "f.r16");
+    assert_eq!(row(&text, "Vertex Spacing"), [156.25]);
+    assert!(text.contains("| spacing | 156.25 m x 156.25 m |"), "{text}");
+    assert_eq!(row(&text, "R16 Range"), [5.0, 6.0]);
+    assert!(files["f.r16"].iter().all(|b| *b == 0));
+    let unity = export(Preset::Unity, "f.raw", &field, None);
+    assert_eq!(row(&card(&unity, "f.raw"), "Terrain Size X, Y, Z")[1], 1.0);
 }

@@ -276,6 +276,7 @@ fn a_watched_run_writes_what_it_saw_even_from_the_cache() {
 #[test]
 fn a_sweep_runs_every_combination_and_its_rows_do_not_depend_on_threads() {
     let sweep = Sweep {
+        keep: true,
         seeds: vec![4, 5],
         over: vec![
             Over::parse("uplift.rate=0.2 mm/yr,0.4 mm/yr").unwrap(),
@@ -286,7 +287,8 @@ fn a_sweep_runs_every_combination_and_its_rows_do_not_depend_on_threads() {
     let load = |overrides: &[Override]| Recipe::parse(&text, "test", Path::new("."), overrides);
     let table = |threads| {
         with_threads(threads, || {
-            let rows = sweep.run(load, None, &CancelToken::default(), |_, _| {}).unwrap();
+            let (rows, failure) = sweep.run(load, None, &CancelToken::default(), |_, _| {}).unwrap();
+            assert!(failure.is_none());
             let sheet = contact_sheet(&rows, &WritePicture { size: 24, ..WritePicture::default() }, 2).unwrap();
             (sweep.table(&rows), sheet)
         })
@@ -299,7 +301,13 @@ fn a_sweep_runs_every_combination_and_its_rows_do_not_depend_on_threads() {
     assert!(lines[0].starts_with("seed,uplift.rate,stream_power.deposition,min_m"));
     assert!(lines[1].starts_with("4,0.2 mm/yr,0,") && lines[8].starts_with("5,0.4 mm/yr,1,"));
     assert!(one.1.shape.rows > 3 * 13 && one.1.shape.cols > 3 * 24);
-    assert!(Over::parse("uplift.rate").is_err() && Over::parse("a.b=1,,2").is_err());
+    assert!(
+        Over::parse("uplift.rate").is_err() && Over::parse("a.b=1,,2").is_err() && Over::parse("seed=1,2").is_err()
+    );
+    let nested = Over::parse("a.b={ formula = \"max(u, 1)\", unit = \"m\" },[1, 2]").unwrap();
+    assert_eq!(nested.values.len(), 2, "{nested:?}");
+    let twice = Sweep { over: vec![nested.clone(), nested], ..Sweep::default() };
+    assert!(twice.runs(1).unwrap_err().to_string().contains("twice"));
 }
 
 #[test]
@@ -333,4 +341,36 @@ fn features_of_both_representations_only_run_downhill() {
             }
         }
     }
+}
+
+#[test]
+fn looking_at_fixed_times_is_part_of_the_recipe() {
+    let text = WATCHED.replace("every = \"250 kyr\"", "every = \"70 kyr\"");
+    let plain = text.lines().filter(|l| !l.starts_with("watch")).collect::<Vec<_>>().join("\n");
+    let folder = tempfile::tempdir().unwrap();
+    let ran = |text: &str, quiet: bool| {
+        let options = Options { cache: Some(folder.path().into()), quiet, ..Options::default() };
+        match recipe(text).run(&mut MemoryOutput::default(), &options).unwrap() {
+            Ran::ToTheEnd(terrain, _) => terrain,
+            Ran::Interrupted(_) => panic!("interrupted"),
+        }
+    };
+    let (watched, unwatched) = (ran(&text, false), ran(&plain, false));
+    assert!(watched != unwatched, "steps are shortened to the looks, and the cache knows it");
+    assert!(*unwatched == run(&plain));
+    for entry in std::fs::read_dir(folder.path()).unwrap().flatten() {
+        std::fs::remove_file(entry.path()).unwrap();
+    }
+    assert!(ran(&text, true) == watched, "a quiet run takes the same steps");
+}
+
+#[test]
+fn a_sea_that_leaves_the_map_is_an_error_that_says_when() {
+    let text = format!(
+        "{}[[stage]]\nuse = \"evolve\"\nclock = {{ dt = \"100 kyr\", duration = \"1 Myr\" }}\nprocess = [ {{ use = \"uplift\" }},\n\
+         {{ use = \"stream_power\", outlets = \"sea\", sea_level = \"1 m\" }} ]\n",
+        start("mesh")
+    );
+    let error = recipe(&text).run(&mut MemoryOutput::default(), &Options::default()).unwrap_err().to_string();
+    assert!(error.contains("after 0.1000 Myr no ground is at or under 1 m"), "{error}");
 }

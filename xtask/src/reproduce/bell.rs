@@ -96,10 +96,13 @@ fn recipe(root: &Path, name: &str, overrides: &[Override]) -> Result<Recipe> {
 
 fn sweep(root: &Path, name: &str, seeds: u64, over: &[(&str, Vec<String>)], fixed: &[String]) -> Result<Vec<Row>> {
     let over = over.iter().map(|(key, values)| Over { key: (*key).into(), values: values.clone() }).collect();
-    let sweep = Sweep { seeds: (1..=seeds).collect(), over };
+    let sweep = Sweep { seeds: (1..=seeds).collect(), over, keep: true };
     let fixed = fixed.iter().map(|f| Override::parse(f)).collect::<Result<Vec<_>>>()?;
     let load = |own: &[Override]| recipe(root, name, &[&fixed[..], own].concat());
-    sweep.run(load, None, &CancelToken::default(), |_, _| {})
+    match sweep.run(load, None, &CancelToken::default(), |_, _| {})? {
+        (rows, None) => Ok(rows),
+        (_, Some(e)) => Err(e),
+    }
 }
 
 fn sheet(rows: &[Row], view: ViewKind, size: usize, path: &Path) -> Result<()> {

@@ -86,10 +86,21 @@ impl Outlets {
             }
         };
         if !status.contains(&BASE_LEVEL) {
-            return Err(Error::parameter("outlets", "without a single node", "at least one node where water leaves"));
+            return Err(self.nowhere(sea_level));
         }
         terrain.set_status(Some(status));
         Ok(())
+    }
+
+    /// The error of outlets without a node.
+    fn nowhere(&self, sea_level: f64) -> Error {
+        let expected = match self {
+            Self::Named(NamedOutlets::Sea) => format!("ground at or under sea level, {sea_level} m, somewhere"),
+            Self::Border(rule) => format!("a map with values below {} of its greatest one on the border", rule.below),
+            Self::Mask(_) => "a map with values of at least 0.5 somewhere".into(),
+            _ => "at least one node where water leaves".into(),
+        };
+        Error::parameter("outlets", "without a single node", &expected)
     }
 
     /// What ranges cannot say.
@@ -135,16 +146,17 @@ pub fn sea_level(status: &[u8], elevation: &[f64]) -> Option<f64> {
 }
 
 /// Raises the water to the level of the sea at base levels below it that the sea does not reach: lagoons and hollows, which
-/// are lakes to whoever stands at their shore. The sea comes in over the border.
+/// are lakes to whoever stands at their shore. The sea comes in over the border, the rim of outer nodata included.
 pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_level: f64, water: &mut [f64]) {
     let status = domain.status();
     let [lo, hi] = terrain.bounds();
     let near = 1e-6 * (hi[0] - lo[0]).max(hi[1] - lo[1]);
+    let border = terrain.border();
     let on_border = |i: usize| {
         let p = terrain.position(i);
-        (0..2).any(|k| p[k] - lo[k] <= near || hi[k] - p[k] <= near)
+        border[i] == BASE_LEVEL || (0..2).any(|k| p[k] - lo[k] <= near || hi[k] - p[k] <= near)
     };
-    let is_water = |i: usize| status[i] == BASE_LEVEL && terrain.elevation()[i] < sea_level;
+    let is_water = |i: usize| status[i] == BASE_LEVEL && terrain.elevation()[i] <= sea_level;
     let mut open = vec![false; status.len()];
     let mut stack: Vec<usize> = (0..status.len()).filter(|&i| is_water(i) && on_border(i)).collect();
     stack.iter().for_each(|&i| open[i] = true);

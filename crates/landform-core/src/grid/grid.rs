@@ -126,6 +126,14 @@ impl Grid {
         Ok(self.place(Self::new(Shape::new(rows, cols), [spacing(0, cols), spacing(1, rows)])?))
     }
 
+    /// Another spacing and shape from the same north-west corner.
+    ///
+    /// # Errors
+    /// As [`Grid::new`].
+    pub fn with_spacing(&self, spacing: [f64; 2], shape: Shape) -> Result<Self> {
+        Ok(self.place(Self::new(shape, spacing)?))
+    }
+
     fn place(&self, grid: Self) -> Self {
         Self { origin: self.origin, edges: self.edges, georeference: self.georeference.clone(), ..grid }
     }

@@ -278,7 +278,11 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         let mut coarse: Option<T> = None;
         while let Some(level) = levels.pop() {
             let fine = std::mem::replace(&mut self.terrain, level);
-            self.start_shaped(coarse.as_ref())?;
+            if self.start_shaped(coarse.as_ref()).is_err() {
+                // Too coarse, for the outlets that were asked for for example; the finest level says what is really wrong.
+                self.terrain = fine;
+                continue;
+            }
             self.settle()?;
             coarse = Some(std::mem::replace(&mut self.terrain, fine));
             if self.cancel.is_cancelled() {

@@ -48,7 +48,7 @@ impl Mesh {
             return None;
         }
         let of = |values: &[u8]| kept.iter().map(|&i| values[i as usize]).collect();
-        coarse.set_border(of(self.border()), of(status));
+        coarse.set_border(of(&self.border()), of(status));
         for (z, &i) in coarse.elevation_mut().iter_mut().zip(&kept) {
             *z = self.elevation()[i as usize];
         }
@@ -101,19 +101,26 @@ impl Thinned {
 }
 
 impl HeightField {
-    /// Every second node of every second row. **Cost** O(n).
+    /// Every second node of every second row, or the outlet beside it. **Cost** O(n).
     pub(super) fn quarter(&self) -> Option<Self> {
         let shape = self.grid.shape;
         if shape.len() < 4 * FEWEST || shape.rows < 5 || shape.cols < 5 {
             return None;
         }
         let coarse = Shape::new(shape.rows.div_ceil(2), shape.cols.div_ceil(2));
-        let kept: Vec<u32> = (0..coarse.len())
-            .map(|i| {
-                let cell = coarse.cell(i);
-                shape.index(2 * cell.row, 2 * cell.col) as u32
-            })
-            .collect();
+        let status = self.chosen_status();
+        let is_base = |i: usize| status.is_some_and(|s| s[i] == BASE_LEVEL);
+        // A chosen outlet stands for its four nodes.
+        let stands_for = |i: usize| {
+            let cell = coarse.cell(i);
+            let of = |k: usize| {
+                let (row, col) =
+                    ((2 * cell.row + k / 2).min(shape.rows - 1), (2 * cell.col + k % 2).min(shape.cols - 1));
+                shape.index(row, col)
+            };
+            (0..4).map(of).find(|&i| is_base(i)).unwrap_or(of(0)) as u32
+        };
+        let kept: Vec<u32> = (0..coarse.len()).map(stands_for).collect();
         let spacing = self.grid.spacing.map(|s| 2.0 * s);
         let grid = Grid {
             shape: coarse,
@@ -124,7 +131,7 @@ impl HeightField {
         };
         let z = kept.iter().map(|&i| self.elevation()[i as usize]).collect();
         let mut field = Self::new(grid, z).ok()?;
-        if let Some(status) = self.chosen_status() {
+        if let Some(status) = status {
             field.set_status(Some(kept.iter().map(|&i| status[i as usize]).collect()));
         }
         field.fields = pick(&self.fields, &kept);

@@ -123,6 +123,10 @@ impl NodeSurface for HeightField {
         Arc::new(domain)
     }
 
+    fn border(&self) -> Vec<u8> {
+        RasterDomain::new(&self.grid, &self.valid).status().to_vec()
+    }
+
     fn set_status(&mut self, status: Option<Vec<u8>>) {
         self.status = status.map(Arc::new);
     }

@@ -78,10 +78,6 @@ impl Mesh {
         &self.triangles
     }
 
-    pub(super) fn border(&self) -> &[u8] {
-        &self.border
-    }
-
     pub(super) fn set_border(&mut self, border: Vec<u8>, status: Vec<u8>) {
         self.border = Arc::new(border);
         self.set_status(Some(status));
@@ -291,6 +287,10 @@ impl NodeSurface for Mesh {
 
     fn domain(&self) -> Arc<Graph> {
         self.graph.clone()
+    }
+
+    fn border(&self) -> Vec<u8> {
+        self.border.to_vec()
     }
 
     fn set_status(&mut self, status: Option<Vec<u8>>) {

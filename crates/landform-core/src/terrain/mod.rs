@@ -57,6 +57,9 @@ pub trait NodeSurface: Terrain {
     /// Sets the status of every node (see [`Outlets`](crate::algo::outlets::Outlets)); none goes back to what the border says.
     fn set_status(&mut self, status: Option<Vec<u8>>);
 
+    /// The status of every node as the border alone says.
+    fn border(&self) -> Vec<u8>;
+
     /// Elevation per node, m; NaN on masked nodes.
     fn elevation(&self) -> &[f64];
 

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use landform_core::analysis::{Basin, Drainage, Lake, Polygon, RiverReach, Width, basins, lakes, rivers};
 use landform_core::units::{Area, Length, Rate};
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
-use landform_core::{Error, Result};
+use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
@@ -93,13 +93,16 @@ impl<T: Drawable> Export<T> for WriteFeatures {
         let terrain = landscape.terrain;
         let mut features = Vec::new();
         let [lo, hi] = terrain.bounds();
-        let map = (hi[0] - lo[0]).max(1.0) * (hi[1] - lo[1]).max(1.0);
+        let longer = (hi[0] - lo[0]).max(hi[1] - lo[1]);
+        let side = |k: usize| if hi[k] > lo[k] { hi[k] - lo[k] } else { longer / terrain.elevation().len() as f64 };
+        let map = (side(0) * side(1)).max(f64::MIN_POSITIVE);
+        let digits = Digits::of((map / terrain.elevation().len() as f64).sqrt());
         let least = self.least_area.map_or(map / 2_000.0, Area::si);
         let (sea, rain) = (self.sea_level.map(Length::si), self.rainfall.si());
         if self.rivers {
             let drainage = Drainage::of(terrain, sea, rain);
             let width = Width { coefficient: self.width_coefficient, exponent: self.width_exponent };
-            features.extend(rivers(terrain, &drainage, least, width).iter().map(river));
+            features.extend(rivers(terrain, &drainage, least, width).iter().map(|r| river(r, digits)));
         }
         if self.lakes || self.basins {
             let raster: Cow<'_, _> = terrain.raster()?;
@@ -107,10 +110,10 @@ impl<T: Drawable> Export<T> for WriteFeatures {
             if self.lakes {
                 let least_area = 4.0 * raster.grid.cell_area();
                 let found = lakes(&raster, &drainage, self.least_depth.si(), least_area);
-                features.extend(found.iter().enumerate().map(|(k, l)| lake(k, l)));
+                features.extend(found.iter().enumerate().map(|(k, l)| lake(k, l, digits)));
             }
             if self.basins {
-                features.extend(basins(&raster, &drainage, least).iter().enumerate().map(|(k, b)| basin(k, b)));
+                features.extend(basins(&raster, &drainage, least).iter().enumerate().map(|(k, b)| basin(k, b, digits)));
             }
         }
         let mut collection = json!({ "type": "FeatureCollection", "name": landscape.title });
@@ -125,9 +128,22 @@ impl<T: Drawable> Export<T> for WriteFeatures {
     }
 }
 
-/// To the centimetre; rounding keeps rivers from running uphill, for it keeps order.
-fn centimetres(v: f64) -> f64 {
-    (v * 100.0).round() / 100.0
+/// Rounds to a thousandth of a node's distance or to the centimetre, whichever is finer; it keeps order, so that no river runs uphill.
+#[derive(Clone, Copy)]
+struct Digits(f64);
+
+impl Digits {
+    fn of(spacing: f64) -> Self {
+        Self(math::pow(10.0, (-math::log10(spacing.max(1e-9))).ceil() + 3.0).max(100.0))
+    }
+
+    fn round(self, v: f64) -> f64 {
+        (v * self.0).round() / self.0
+    }
+
+    fn all<const N: usize>(self, p: [f64; N]) -> [f64; N] {
+        p.map(|v| self.round(v))
+    }
 }
 
 /// Four digits.
@@ -139,9 +155,9 @@ fn feature(geometry: &str, coordinates: Json, properties: Json) -> Json {
     json!({ "geometry": { "type": geometry, "coordinates": coordinates }, "properties": properties, "type": "Feature" })
 }
 
-fn river(r: &RiverReach) -> Json {
+fn river(r: &RiverReach, digits: Digits) -> Json {
     let id = |(river, reach): (u32, u32)| format!("{river}.{reach}");
-    let points: Vec<_> = r.points.iter().map(|p| p.map(centimetres)).collect();
+    let points: Vec<_> = r.points.iter().map(|p| digits.all(*p)).collect();
     let (above, below) = (points[0][2], points[points.len() - 1][2]);
     let properties = json!({
         "kind": "river",
@@ -162,36 +178,36 @@ fn river(r: &RiverReach) -> Json {
     feature("LineString", json!(points), properties)
 }
 
-fn rings(polygon: &Polygon) -> Json {
-    json!(polygon.iter().map(|ring| ring.iter().map(|p| p.map(centimetres)).collect()).collect::<Vec<Vec<_>>>())
+fn rings(polygon: &Polygon, digits: Digits) -> Json {
+    json!(polygon.iter().map(|ring| ring.iter().map(|p| digits.all(*p)).collect()).collect::<Vec<Vec<_>>>())
 }
 
-fn lake(k: usize, l: &Lake) -> Json {
+fn lake(k: usize, l: &Lake, digits: Digits) -> Json {
     let properties = json!({
         "kind": "lake",
         "id": format!("lake {}", k + 1),
-        "level_m": centimetres(l.level),
-        "depth_m": centimetres(l.depth),
-        "mean_depth_m": centimetres(l.volume / l.area),
+        "level_m": digits.round(l.level),
+        "depth_m": digits.round(l.depth),
+        "mean_depth_m": digits.round(l.volume / l.area),
         "area_m2": short(l.area),
         "volume_m3": short(l.volume),
-        "outlet": l.outlet.map(|p| p.map(centimetres)),
+        "outlet": l.outlet.map(|p| digits.all(p)),
         "discharge_m3_s": short(l.discharge),
     });
-    feature("Polygon", rings(&l.shore), properties)
+    feature("Polygon", rings(&l.shore, digits), properties)
 }
 
-fn basin(k: usize, b: &Basin) -> Json {
-    let [least, mean, greatest] = b.elevation.map(centimetres);
+fn basin(k: usize, b: &Basin, digits: Digits) -> Json {
+    let [least, mean, greatest] = digits.all(b.elevation);
     let properties = json!({
         "kind": "basin",
         "id": format!("basin {}", k + 1),
         "area_m2": short(b.area),
-        "outlet": b.outlet.map(centimetres),
+        "outlet": digits.all(b.outlet),
         "lowest_m": least,
         "mean_m": mean,
         "highest_m": greatest,
         "hypsometric_integral": short(b.hypsometric_integral),
     });
-    feature("MultiPolygon", json!(b.outline.iter().map(rings).collect::<Vec<_>>()), properties)
+    feature("MultiPolygon", json!(b.outline.iter().map(|p| rings(p, digits)).collect::<Vec<_>>()), properties)
 }

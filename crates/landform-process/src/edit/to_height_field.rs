@@ -2,6 +2,7 @@
 
 use landform_core::Result;
 use landform_core::algo::flow::Flow;
+use landform_core::algo::outlets::{at_or_under, sea_level};
 use landform_core::field::names;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, gaussian_from_mesh, height_field_from_mesh};
 use landform_core::units::Length;
@@ -53,6 +54,11 @@ impl Convert<Mesh, HeightField> for ToHeightField {
         if self.method == Method::Gaussian {
             let smooth = gaussian_from_mesh(source, &field, self.sigma);
             field.elevation_mut().copy_from_slice(&smooth);
+            let sea = source.chosen_status().and_then(|status| sea_level(status, source.elevation()));
+            if let Some(level) = sea {
+                let status = at_or_under(level, &field);
+                field.set_status(Some(status));
+            }
         }
         if field.fields.get(&names::DRAINAGE_AREA, "").is_ok() {
             let depth = field.fields.remove(names::LAKE_DEPTH.name);

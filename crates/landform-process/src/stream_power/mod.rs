@@ -51,6 +51,7 @@ use landform_core::algo::outlets::{at_or_under, fill_inland_water};
 use landform_core::field::names;
 use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
 use landform_core::terrain::NodeSurface;
+use landform_core::units::MYR;
 use landform_core::verb::{Change, Context, Process, Resolved, Step};
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
@@ -69,6 +70,8 @@ pub struct State<D> {
     rain: Option<Vec<f64>>,
     /// Nodes held at a base level, and the level, m; none with outlets at the sea.
     base: Vec<(u32, f64)>,
+    /// Level of the sea after the last step, m.
+    sea_level: f64,
     #[serde(skip)]
     scratch: Scratch<D>,
 }
@@ -84,8 +87,6 @@ struct Scratch<D> {
     sediment: Sediment,
     /// Rate of lowering in the last step, m/s.
     erosion: Vec<f64>,
-    /// Level of the sea after the last step, m.
-    sea_level: f64,
 }
 
 impl<D> Default for Scratch<D> {
@@ -97,7 +98,6 @@ impl<D> Default for Scratch<D> {
             amount: Vec::new(),
             sediment: Sediment::default(),
             erosion: Vec::new(),
-            sea_level: 0.0,
         }
     }
 }
@@ -153,7 +153,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             }
             None => None,
         };
-        Ok(State { erodibility, rain, base, scratch: Scratch::default() })
+        let sea_level = self.sea_at(0.0).unwrap_or(0.0);
+        Ok(State { erodibility, rain, base, sea_level, scratch: Scratch::default() })
     }
 
     fn begin(&self, terrain: &T, state: &mut Self::State, at: &Step) -> Result<()> {
@@ -161,7 +162,10 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         if self.ends_in_sea() {
             // The only other owner is the state itself, so nothing is copied after the first step.
             state.scratch.domain = None;
-            let status = at_or_under(self.sea_at(at.time).unwrap_or(0.0), terrain);
+            let status = at_or_under(state.sea_level, terrain);
+            if !status.contains(&BASE_LEVEL) {
+                return Err(the_sea_is_gone(state.sea_level, at));
+            }
             Arc::make_mut(&mut domain).set_status(status);
             state.scratch.domain = Some(domain.clone());
         }
@@ -193,14 +197,14 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             change.exported += eroded;
         }
         parallel::update(erosion, |i, e| *e = (*e - z[i]) / at.dt);
-        state.scratch.sea_level = self.sea_at(at.time + at.dt).unwrap_or(0.0);
+        state.sea_level = self.sea_at(at.time + at.dt).unwrap_or(0.0);
         Ok(change)
     }
 
     fn finish(&self, terrain: &mut T, state: &mut Self::State) -> Result<()> {
         let mut domain = state.prepare(self, terrain);
         if self.ends_in_sea() {
-            let status = at_or_under(state.scratch.sea_level, terrain);
+            let status = at_or_under(state.sea_level, terrain);
             terrain.set_status(Some(status));
             domain = terrain.domain();
         }
@@ -208,7 +212,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         leave_drainage(terrain, &domain, flow);
         if self.ends_in_sea() {
             let mut water = flow.water_level(terrain.elevation());
-            fill_inland_water(terrain, &*domain, state.scratch.sea_level, &mut water);
+            fill_inland_water(terrain, &*domain, state.sea_level, &mut water);
             let z = terrain.elevation();
             let depth = parallel::map(z.len(), |i| water[i] - z[i]);
             terrain.fields_mut().insert(&names::LAKE_DEPTH, depth);
@@ -220,6 +224,11 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         }
         Ok(())
     }
+}
+
+fn the_sea_is_gone(level: f64, at: &Step) -> Error {
+    let when = format!("\"sea\", but after {:.4} Myr no ground is at or under {level} m", at.time / MYR);
+    Error::parameter("outlets", when, "ground that stays under the sea (no uplift there), or outlets = \"border\"")
 }
 
 /// Lets every node move: at the sea nothing is held.
@@ -243,7 +252,11 @@ fn base_levels<T: NodeSurface>(terrain: &T) -> Result<Vec<(u32, f64)>> {
 
 /// Rainfall over its area-weighted mean, so that erodibility keeps its meaning; none where it is uniform.
 fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f64>>> {
-    let Resolved::PerNode(rain) = rain else { return Ok(None) };
+    let rain = match rain {
+        Resolved::Uniform(rain) if *rain > 0.0 => return Ok(None),
+        Resolved::Uniform(_) => return Err(Error::parameter("rainfall", "0 everywhere", "rain somewhere")),
+        Resolved::PerNode(rain) => rain,
+    };
     let areas = node_areas(domain);
     let valid = |i: usize| domain.status()[i] != MASKED;
     if let Some(i) = parallel::find_first(rain.len(), |i| valid(i) && rain[i] < 0.0) {

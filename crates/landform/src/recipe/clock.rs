@@ -19,14 +19,14 @@ pub struct Clock {
     /// "steady": stop when the greatest change of a step is at most `tolerance` times what uplift alone would have raised (or
     /// times the relief, where uplift in a long step would have raised more).
     pub until: Option<Until>,
-    /// See `until`; 0 waits until not a bit changes.
+    /// See `until`; 0 waits until not a bit changes (some runs end in a cycle of the last bit, which 1e-12 takes as steady).
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub tolerance: f64,
     /// Most steps; 10,000 for a run until steady, if not given.
     #[schemars(extend("x-min" = 1))]
     pub max_steps: Option<u64>,
     /// Coarser levels, each with a quarter of the nodes, that are made steady first, each from the one before: the finest then
-    /// needs tens of steps rather than hundreds. With `until = "steady"` alone.
+    /// needs tens of steps rather than hundreds. With `until = "steady"` alone, and a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
 }

@@ -91,7 +91,12 @@ impl Work {
                         json
                     })
                     .collect();
-                serde_json::json!({ "clock": evolve.clock, "process": process })
+                let mut json = serde_json::json!({ "clock": evolve.clock, "process": process });
+                // Looks at fixed times shorten steps, and so are part of what comes out.
+                if let Some(every) = evolve.watch.as_ref().and_then(|w| w.every) {
+                    json["look_every"] = serde_json::json!(every);
+                }
+                json
             }
         }
     }
@@ -137,7 +142,7 @@ impl EntryReader<'_> {
             }
             (_, None) => None,
         };
-        let watch = if stage.verb == Verb::Process { self.watch(node)? } else { None };
+        let watch = clock.as_ref().map(|clock| self.watch(node, clock)).transpose()?.flatten();
         self.check(stage, node)?;
         Ok(match clock {
             Some(clock) => Work::Evolve(Box::new(Evolve { clock, parts: vec![(stage, node.json())], watch })),
@@ -151,7 +156,7 @@ impl EntryReader<'_> {
             return Err(self.error(span, "`evolve` has no `clock`", hint));
         };
         let clock = self.clock(&clock.node)?;
-        let watch = self.watch(node)?;
+        let watch = self.watch(node, &clock)?;
         let Some(list) = node.remove("process") else {
             let hint = Some("for example process = [ { use = \"uplift\", rate = \"0.5 mm/yr\" } ]".into());
             return Err(self.error(span, "`evolve` has no `process`", hint));
@@ -220,8 +225,11 @@ impl EntryReader<'_> {
         self.table("clock", node, Clock::check)
     }
 
-    fn watch(&self, node: &mut Node) -> Result<Option<Watch>> {
-        node.remove("watch").map(|entry| self.table("watch", &entry.node, Watch::check)).transpose()
+    fn watch(&self, node: &mut Node, clock: &Clock) -> Result<Option<Watch>> {
+        let Some(entry) = node.remove("watch") else { return Ok(None) };
+        let watch: Watch = self.table("watch", &entry.node, Watch::check)?;
+        let looks = watch.fits(clock).map_err(|e| self.error(&entry.span, format!("`watch`: {e}"), e.hint()));
+        looks.map(|()| Some(watch))
     }
 
     /// A table that belongs to a stage but is none of its parameters.

@@ -7,10 +7,10 @@ use landform_core::error::nearest;
 use landform_core::{Error, Result};
 use serde_json::Value as Json;
 
-use super::STAGES;
 use super::entry::{Entry, EntryReader, Work};
 use super::stage::stage_seed;
 use super::tree::{Node, Value};
+use super::{STAGES, Watch};
 
 /// A recipe: read, checked, ready to run.
 #[derive(Clone, Debug)]
@@ -170,13 +170,18 @@ fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec
 fn check_paths(entries: &[Entry]) -> Result<()> {
     let mut seen = BTreeMap::new();
     for (k, entry) in entries.iter().enumerate() {
+        let mut paths: Vec<String> =
+            entry.work.watch().into_iter().flat_map(Watch::paths).map(|p| p.1.into()).collect();
         if let Work::Once(stage, _) = &entry.work
             && !stage.verb.changes_terrain()
-            && let Some(path) = entry.work.normalized()["path"].as_str()
-            && let Some(first) = seen.insert(path.to_string(), k + 1)
         {
-            let what = format!("stages {first} and {} both write `{path}`", k + 1);
-            return Err(Error::Recipe { at: None, what, hint: Some("give one of them another `path`".into()) });
+            paths.extend(entry.work.normalized()["path"].as_str().map(String::from));
+        }
+        for path in paths {
+            if let Some(first) = seen.insert(path.clone(), k + 1) {
+                let what = format!("stages {first} and {} both write `{path}`", k + 1);
+                return Err(Error::Recipe { at: None, what, hint: Some("give one of them another `path`".into()) });
+            }
         }
     }
     Ok(())

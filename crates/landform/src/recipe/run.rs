@@ -17,7 +17,7 @@ use super::any_terrain::Held;
 use super::cache::Cache;
 use super::entry::{Entry, Evolve, Work};
 use super::stage::{Act, AnyLandscape};
-use super::watch::Watcher;
+use super::watch::{Watch, Watcher};
 use super::{AnyTerrain, Plan, Recipe};
 
 /// What a run tells while it goes on.
@@ -337,10 +337,19 @@ impl Runner<'_> {
                 Err(_) => Ok(ControlFlow::Break(())),
             });
         }
+        if let Some(every @ Every::Time(_)) = evolve.watch.as_ref().filter(|_| self.options.quiet).map(Watch::interval)
+        {
+            // Nobody looks, but steps are as long as if somebody did.
+            simulation = simulation.observe(every, |_| Ok(ControlFlow::Continue(())));
+        }
         if let Some(path) = &self.options.checkpoint {
             simulation = simulation.save_every(self.options.checkpoint_every, |s| save(s, key, path));
             if self.options.resume && path.is_file() {
                 simulation = self.resume(simulation, key, path)?;
+                if evolve.watch.is_some() {
+                    let note = "what `watch` saw before the interruption is lost; it goes on from here";
+                    (self.options.progress)(Signal::Note(note.into()));
+                }
             }
         }
         let outcome = simulation.run()?;
@@ -355,7 +364,9 @@ impl Runner<'_> {
         }
         let terrain = simulation.into_terrain().wrap();
         if let Ok(Some(watcher)) = watcher.into_inner() {
-            watcher.finish(out)?;
+            if let Some(note) = watcher.finish(out)? {
+                (self.options.progress)(Signal::Note(note.into()));
+            }
         }
         Ok(Some((terrain, outcome)))
     }

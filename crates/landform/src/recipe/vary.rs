@@ -8,7 +8,7 @@ use landform_core::analysis::{Hypsometry, SlopeArea, Summary, hypsometry, slope_
 use landform_core::grid::Shape;
 use landform_core::terrain::NodeSurface;
 use landform_core::units::YEAR;
-use landform_core::verb::{CancelToken, MemoryOutput, Outcome};
+use landform_core::verb::{CancelToken, MemoryOutput, Outcome, Stopped};
 use landform_core::{Error, Result, parallel};
 use landform_io::export::{Drawable, WritePicture};
 use landform_io::render::Picture;
@@ -36,13 +36,32 @@ impl Over {
             hint: Some("write --over STAGE.key=a,b,c, for example --over \"uplift.rate=0.1 mm/yr,0.4 mm/yr\"".into()),
         };
         let (key, values) = text.split_once('=').ok_or_else(fail)?;
-        let separator = if values.contains(';') { ';' } else { ',' };
-        let values: Vec<String> = values.split(separator).map(|v| v.trim().to_string()).collect();
-        if key.trim().is_empty() || values.iter().any(String::is_empty) {
+        let separator = if outside_brackets(values, ';').len() > 1 { ';' } else { ',' };
+        let values = outside_brackets(values, separator);
+        if !key.contains('.') || values.iter().any(String::is_empty) {
             return Err(fail());
         }
         Ok(Self { key: key.trim().into(), values })
     }
+}
+
+/// The parts of a text between separators that stand in no brackets and no quotes.
+fn outside_brackets(text: &str, separator: char) -> Vec<String> {
+    let (mut parts, mut depth, mut quoted) = (vec![String::new()], 0_i32, false);
+    for c in text.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            '[' | '{' | '(' if !quoted => depth += 1,
+            ']' | '}' | ')' if !quoted => depth -= 1,
+            _ => {}
+        }
+        if c == separator && depth == 0 && !quoted {
+            parts.push(String::new());
+        } else if let Some(part) = parts.last_mut() {
+            part.push(c);
+        }
+    }
+    parts.into_iter().map(|p| p.trim().to_string()).collect()
 }
 
 /// Which runs to make: every combination of seeds and values.
@@ -52,6 +71,8 @@ pub struct Sweep {
     pub seeds: Vec<u64>,
     /// Keys and values; the last one changes fastest.
     pub over: Vec<Over>,
+    /// Whether rows keep their landscapes.
+    pub keep: bool,
 }
 
 /// One run of a sweep.
@@ -71,8 +92,8 @@ pub struct Row {
     pub slope_area: SlopeArea,
     /// Seconds on the wall.
     pub seconds: f64,
-    /// The landscape.
-    pub terrain: Arc<AnyTerrain>,
+    /// The landscape, if it was to be kept.
+    pub terrain: Option<Arc<AnyTerrain>>,
 }
 
 /// Most runs of a sweep.
@@ -82,8 +103,13 @@ impl Sweep {
     /// Seeds and values of every run.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for more than 10,000 runs.
+    /// [`Error::Parameter`] for more than 10,000 runs, or a key that is given twice.
     pub fn runs(&self, own_seed: u64) -> Result<Vec<(u64, Vec<String>)>> {
+        for (k, over) in self.over.iter().enumerate() {
+            if self.over[..k].iter().any(|o| o.key == over.key) {
+                return Err(Error::parameter("over", format!("`{}` twice", over.key), "each key once"));
+            }
+        }
         let seeds = if self.seeds.is_empty() { vec![own_seed] } else { self.seeds.clone() };
         let count = self.over.iter().fold(seeds.len(), |n, o| n.saturating_mul(o.values.len()));
         if count > MOST_RUNS {
@@ -106,17 +132,18 @@ impl Sweep {
     }
 
     /// Runs a recipe, which `load` reads with the given overrides, once for each combination, several at a time as far as
-    /// `memory` (bytes) and cores allow. Nothing is exported. `done` is told each run's number and row.
+    /// `memory` (bytes) and cores allow. Nothing is exported. `done` is told each run's number and row. What ends the sweep early
+    /// is told beside the rows that came before it.
     ///
     /// # Errors
-    /// The first run's error, in order.
+    /// A recipe that cannot be read, before anything runs.
     pub fn run(
         &self,
         load: impl Fn(&[Override]) -> Result<Recipe> + Sync,
         memory: Option<u64>,
         cancel: &CancelToken,
         done: impl Fn(usize, &Row) + Sync,
-    ) -> Result<Vec<Row>> {
+    ) -> Result<(Vec<Row>, Option<Error>)> {
         let own = load(&[])?;
         let runs = self.runs(own.seed)?;
         let recipes =
@@ -130,15 +157,31 @@ impl Sweep {
         let mut rows = Vec::with_capacity(runs.len());
         for first in (0..runs.len()).step_by(at_once) {
             let batch = parallel::map((runs.len() - first).min(at_once), |k| {
-                let row = one(&recipes[first + k], &runs[first + k], cancel)?;
+                let row = self.one(&recipes[first + k], &runs[first + k], cancel)?;
                 done(first + k, &row);
                 Ok(row)
             });
             for row in batch {
-                rows.push(row?);
+                match row {
+                    Ok(row) => rows.push(row),
+                    Err(e) => return Ok((rows, Some(e))),
+                }
             }
         }
-        Ok(rows)
+        Ok((rows, None))
+    }
+
+    /// One run; an error says which.
+    fn one(&self, recipe: &Recipe, run: &(u64, Vec<String>), cancel: &CancelToken) -> Result<Row> {
+        let row = one(recipe, run, cancel).map_err(|e| match e {
+            Error::Interrupted => e,
+            e => {
+                let values = self.over.iter().zip(&run.1).map(|(o, v)| format!(", {}={v}", o.key));
+                let what = format!("seed {}{}: {e}", run.0, values.collect::<String>());
+                Error::Recipe { at: None, what, hint: e.hint() }
+            }
+        })?;
+        Ok(if self.keep { row } else { Row { terrain: None, ..row } })
     }
 
     fn overrides(&self, seed: u64, values: &[String]) -> Result<Vec<Override>> {
@@ -161,28 +204,40 @@ impl Sweep {
             let values: Vec<String> = row.values.iter().map(|v| quote(v)).collect();
             let head = [row.seed.to_string()].into_iter().chain(values).collect::<Vec<_>>().join(",");
             let s = &row.summary;
+            let number = |v: f64| if v.is_finite() { format!("{v:.6}") } else { String::new() };
             // Text in memory cannot fail to be written.
             let _ = write!(
                 table,
-                "{head},{:.4},{:.4},{:.4},{:.6},{:.6},{:.6},{:.6},{}",
+                "{head},{:.4},{:.4},{:.4},{:.6},{:.6},{},{},{}",
                 s.min,
                 s.mean,
                 s.max,
                 s.median_slope,
                 s.max_slope,
-                row.hypsometry.integral,
-                row.slope_area.concavity,
+                number(row.hypsometry.integral),
+                number(row.slope_area.concavity),
                 s.lakes
             );
             let _ = match &row.outcome {
                 Some(o) => {
                     let residual = o.residual.map_or(String::new(), |r| format!("{r:.3e}"));
-                    writeln!(table, ",{},{:.6e},{:?},{residual}", o.steps, o.time / YEAR, o.stopped)
+                    writeln!(table, ",{},{:.6e},{},{residual}", o.steps, o.time / YEAR, word(o.stopped))
                 }
                 None => writeln!(table, ",,,,"),
             };
         }
         table
+    }
+}
+
+/// Why a run stopped, in a word.
+fn word(stopped: Stopped) -> &'static str {
+    match stopped {
+        Stopped::EndTime => "end of time",
+        Stopped::MaxSteps => "most steps",
+        Stopped::Steady => "steady",
+        Stopped::Cancelled => "interrupted",
+        Stopped::ByObserver => "by observer",
     }
 }
 
@@ -198,6 +253,7 @@ fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cancel: &CancelToke
         AnyTerrain::Mesh(t) => measured(t)?,
     };
     let outcome = history.iter().rev().find_map(|e| e.outcome);
+    let terrain = Some(terrain);
     Ok(Row { seed: *seed, values: values.clone(), outcome, summary, hypsometry, slope_area, seconds, terrain })
 }
 
@@ -212,7 +268,7 @@ fn measured<T: Drawable>(terrain: &T) -> Result<(Summary, Hypsometry, SlopeArea)
 /// # Errors
 /// As drawing; [`Error::Parameter`] without rows.
 pub fn contact_sheet(rows: &[Row], picture: &WritePicture, gap: usize) -> Result<Picture> {
-    let pictures = rows.iter().map(|r| r.terrain.draw(picture)).collect::<Result<Vec<_>>>()?;
+    let pictures = rows.iter().flat_map(|r| &r.terrain).map(|t| t.draw(picture)).collect::<Result<Vec<_>>>()?;
     let greatest = |f: fn(&Picture) -> usize| pictures.iter().map(f).max();
     let (Some(width), Some(height)) = (greatest(|p| p.shape.cols), greatest(|p| p.shape.rows)) else {
         return Err(Error::parameter("sheet", "without runs", "at least one run"));

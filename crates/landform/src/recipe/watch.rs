@@ -4,6 +4,8 @@ use std::fmt::Write;
 use std::ops::ControlFlow;
 
 use landform_core::algo::flow::{Flow, node_areas};
+use landform_core::algo::outlets::at_or_under;
+use landform_core::grid::{BASE_LEVEL, Domain};
 use landform_core::sim::{Every, View};
 use landform_core::terrain::NodeSurface;
 use landform_core::units::{Duration, YEAR};
@@ -15,8 +17,8 @@ use landform_io::render::Picture;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::AnyTerrain;
 use super::any_terrain::Held;
+use super::{AnyTerrain, Clock};
 
 /// What to write while processes run.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -31,9 +33,9 @@ pub struct Watch {
     /// Time from one look to the next; steps are shortened to meet it. Or give `steps`.
     #[schemars(extend("x-above" = 0.0))]
     pub every: Option<Duration>,
-    /// Steps from one look to the next.
+    /// Steps from one look to the next; 1 if neither this nor `every` is given.
     #[schemars(extend("x-min" = 1))]
-    pub steps: u64,
+    pub steps: Option<u64>,
     /// What pictures show.
     pub view: ViewKind,
     /// Longer side of pictures, pixels.
@@ -53,7 +55,7 @@ impl Default for Watch {
             animation: None,
             frames: None,
             every: None,
-            steps: 1,
+            steps: None,
             view: ViewKind::Map,
             size: 480,
             exaggeration: 1.0,
@@ -66,9 +68,24 @@ impl Default for Watch {
 const MOST_FRAMES: usize = 5_000;
 
 impl Watch {
+    /// Keys and paths of what is written.
+    pub(super) fn paths(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let all = [("table", &self.table), ("animation", &self.animation), ("frames", &self.frames)];
+        all.into_iter().filter_map(|(key, path)| Some((key, path.as_deref()?)))
+    }
+
     pub(super) fn check(&self) -> Result<()> {
-        for path in [&self.table, &self.animation, &self.frames].into_iter().flatten() {
-            relative_path(path)?;
+        for (key, path) in self.paths() {
+            relative_path(path)
+                .map_err(|_| Error::parameter(key, format!("\"{path}\""), "a file name, below the output folder"))?;
+        }
+        if let Some(path) = &self.table
+            && !path.to_lowercase().ends_with(".csv")
+        {
+            return Err(Error::parameter("table", format!("\"{path}\""), "a name that ends with .csv"));
+        }
+        if self.every.is_some() && self.steps.is_some() {
+            return Err(Error::parameter("steps", "given beside `every`", "one of the two"));
         }
         if let Some(path) = &self.animation {
             animation_extension(path)?;
@@ -84,8 +101,22 @@ impl Watch {
         self.picture().validate()
     }
 
+    /// Whether there will be something to see, and not too much.
+    pub(super) fn fits(&self, clock: &Clock) -> Result<()> {
+        let (Some(every), Some(duration)) = (self.every, clock.duration) else { return Ok(()) };
+        let looks = duration.si() / every.si();
+        if looks < 1.0 {
+            return Err(Error::parameter("every", every, &format!("at most the clock's duration, {duration}")));
+        }
+        let draws = self.animation.is_some() || self.frames.is_some();
+        if draws && looks > MOST_FRAMES as f64 {
+            return Err(Error::parameter("every", every, &format!("at most {MOST_FRAMES} looks in {duration}")));
+        }
+        Ok(())
+    }
+
     pub(super) fn interval(&self) -> Every {
-        self.every.map_or(Every::Steps(self.steps), |t| Every::Time(t.si()))
+        self.every.map_or(Every::Steps(self.steps.unwrap_or(1)), |t| Every::Time(t.si()))
     }
 
     fn picture(&self) -> WritePicture {
@@ -111,7 +142,7 @@ impl<'a> Watcher<'a> {
     }
 
     pub(super) fn look<T: Held>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
-        let terrain = view.terrain.clone().wrap();
+        let terrain = view.terrain.clone().wrap().ashore();
         if self.watch.table.is_some() {
             match &terrain {
                 AnyTerrain::HeightField(t) => self.row(t, view),
@@ -156,8 +187,8 @@ impl<'a> Watcher<'a> {
         self.rows.push('\n');
     }
 
-    /// Writes what was seen.
-    pub(super) fn finish(self, out: &mut dyn Output) -> Result<()> {
+    /// Writes what was seen; a note if that was nothing.
+    pub(super) fn finish(self, out: &mut dyn Output) -> Result<Option<&'static str>> {
         if let Some(path) = &self.watch.table {
             out.put(path, self.rows.as_bytes())?;
         }
@@ -167,14 +198,32 @@ impl<'a> Watcher<'a> {
                 out.put(&format!("{stem}_{:04}.png", k + 1), &encode_png(&frame.pixels, frame.shape)?)?;
             }
         }
-        match &self.watch.animation {
-            Some(path) => out.put(path, &encode_animation(path, &self.frames)?),
-            None => Ok(()),
+        if self.frames.is_empty() && (self.watch.animation.is_some() || self.watch.frames.is_some()) {
+            return Ok(Some("`watch` never looked: the run ended before its first time"));
         }
+        if let Some(path) = &self.watch.animation {
+            out.put(path, &encode_animation(path, &self.frames)?)?;
+        }
+        Ok(None)
     }
 }
 
 impl AnyTerrain {
+    /// With water at 0 m as outlets, where nothing else is one: while rivers end at a sea that comes and goes, no node is held.
+    fn ashore(mut self) -> Self {
+        fn of<T: NodeSurface>(terrain: &mut T) {
+            if !terrain.domain().status().contains(&BASE_LEVEL) {
+                let status = at_or_under(0.0, terrain);
+                terrain.set_status(Some(status));
+            }
+        }
+        match &mut self {
+            Self::HeightField(t) => of(t),
+            Self::Mesh(t) => of(t),
+        }
+        self
+    }
+
     /// A picture of it.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ mod engines;
 
 use std::path::Path;
 
-use landform_core::grid::Grid;
+use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, NodeSurface, resample};
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Error, Result};
@@ -23,7 +23,7 @@ pub struct WriteHeightmap {
     pub path: String,
     /// Who reads it.
     pub preset: Preset,
-    /// Nodes along a side; the engine's smallest size that loses nothing, if not given.
+    /// Nodes along a side; the engine's smallest size with at least as many, if not given.
     #[schemars(extend("x-min" = 2, "x-max" = 16_385))]
     pub size: Option<usize>,
 }
@@ -63,7 +63,7 @@ impl Params for WriteHeightmap {
             return Err(Error::parameter("path", format!("\"{}\"", self.path), &expected));
         }
         if self.preset == Preset::Unreal && names_a_tile(&self.path) {
-            let expected = "a name without a size such as 1009x1009: Unreal takes it for one tile of many";
+            let expected = "a name without 1009x1009 or _x0_y0 in it: Unreal takes it for one tile of many";
             return Err(Error::parameter("path", format!("\"{}\"", self.path), expected));
         }
         match (self.size, engine.sizes) {
@@ -76,11 +76,14 @@ impl Params for WriteHeightmap {
     }
 }
 
-/// Whether a name holds digits, an x, and digits.
+/// Whether a file's name holds a size (1009x1009) or a place (_x0_y1), by which Unreal knows tiles.
 fn names_a_tile(path: &str) -> bool {
-    let bytes = path.as_bytes();
-    (1..bytes.len().saturating_sub(1))
-        .any(|i| bytes[i] == b'x' && bytes[i - 1].is_ascii_digit() && bytes[i + 1].is_ascii_digit())
+    let name = path.rsplit('/').next().unwrap_or(path).to_lowercase();
+    let bytes = name.as_bytes();
+    let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);
+    let size = (1..bytes.len()).any(|i| bytes[i] == b'x' && digit(i - 1) && digit(i + 1));
+    let place = |axis: &str| name.match_indices(axis).any(|(i, _)| digit(i + axis.len()));
+    size || (place("_x") && place("_y"))
 }
 
 /// Heights on the engine's grid, and what a card tells of them.
@@ -117,6 +120,9 @@ impl Heights<'_> {
     }
 }
 
+/// Relief below this is none, m.
+const FLAT: f64 = 1e-3;
+
 impl WriteHeightmap {
     fn engine(&self) -> &'static Engine {
         engines::engine(self.preset)
@@ -126,46 +132,51 @@ impl WriteHeightmap {
         Path::new(&self.path).extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
     }
 
-    /// Nodes along x and y.
-    fn nodes(&self, grid: &Grid) -> Result<[usize; 2]> {
-        let own = [grid.shape.cols, grid.shape.rows];
-        match (self.size, self.engine().sizes) {
-            (Some(size), Sizes::OneOf(_)) => Ok([size; 2]),
+    /// The engine's grid over the landscape's rectangle; square cells may leave out less than a cell in the south and east.
+    fn grid(&self, own: &Grid) -> Result<Grid> {
+        let engine = self.engine();
+        match (self.size, engine.sizes) {
+            (Some(size), Sizes::OneOf(_)) => own.with_shape(size, size),
             (None, Sizes::OneOf(sizes)) => {
-                let most = own[0].max(own[1]);
-                let fits = sizes.iter().copied().find(|&s| s >= most);
-                fits.map(|s| [s; 2]).ok_or_else(|| {
-                    let (value, greatest) =
-                        (format!("not given for {} x {} nodes", own[0], own[1]), sizes[sizes.len() - 1]);
-                    Error::parameter(
-                        "size",
-                        value,
-                        &format!("at most {greatest} for preset \"{}\"; give `size` to go coarser", self.engine().word),
-                    )
-                })
+                let most = own.shape.cols.max(own.shape.rows);
+                let fits = sizes.iter().copied().find(|&s| s >= most).ok_or_else(|| {
+                    let value = format!("not given for {} x {} nodes", own.shape.cols, own.shape.rows);
+                    let greatest = sizes[sizes.len() - 1];
+                    let expected =
+                        format!("at most {greatest} for preset \"{}\"; give `size` to go coarser", engine.word);
+                    Error::parameter("size", value, &expected)
+                })?;
+                own.with_shape(fits, fits)
             }
-            // One spacing for both axes.
+            (None, Sizes::AnySquareCells) if own.spacing[0] == own.spacing[1] => Ok(own.clone()),
             (size, Sizes::AnySquareCells) => {
-                let [w, h] = grid.extent();
-                let longer = w.max(h);
+                let [w, h] = own.extent();
                 let cell = match size {
-                    Some(size) => longer / (size - 1) as f64,
-                    None => grid.spacing[0].min(grid.spacing[1]),
+                    Some(size) => w.max(h) / (size - 1) as f64,
+                    None => own.spacing[0].min(own.spacing[1]),
                 };
-                let count = |e: f64| (e / cell).round().max(1.0) as usize + 1;
-                Ok([count(w), count(h)])
+                if !(cell > 0.0) {
+                    return Ok(own.clone());
+                }
+                let count = |e: f64| (e / cell * (1.0 + 1e-12)).floor() as usize + 1;
+                own.with_spacing([cell; 2], Shape::new(count(h), count(w)))
             }
         }
     }
 
     fn heights<'a>(&'a self, landscape: &Landscape<'a, HeightField>) -> Result<Heights<'a>> {
         let source = landscape.terrain;
-        let [cols, rows] = self.nodes(&source.grid)?;
+        let grid = self.grid(&source.grid)?;
         let from = [source.grid.shape.cols, source.grid.shape.rows];
-        let mut field =
-            if [cols, rows] == from { source.clone() } else { resample(source, &source.grid.with_shape(rows, cols)?)? };
+        let mut field = if grid == source.grid { source.clone() } else { resample(source, &grid)? };
         let finite = field.elevation().iter().copied().filter(|z| z.is_finite());
-        let (least, greatest) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
+        let (least, mut greatest) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
+        if greatest - least < FLAT {
+            // Level ground: no noise of the last bit stretched over 16 bits, and a range that an engine takes.
+            let z = field.elevation().iter().map(|z| if z.is_nan() { *z } else { least }).collect();
+            field = HeightField::new(field.grid.clone(), z)?;
+            greatest = least + 1.0;
+        }
         let keep_holes = self.preset == Preset::Gis;
         let filled = field.elevation().iter().filter(|z| z.is_nan()).count();
         if !keep_holes && filled > 0 {
