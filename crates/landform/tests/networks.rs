@@ -1,6 +1,10 @@
 //! Networks of rivers at the steady state: what they share with nature, and what does not depend on the number of nodes.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test that cannot go on panics, and shows what it measured"
+)]
 
 use std::path::Path;
 

@@ -363,10 +363,10 @@ impl Runner<'_> {
             std::fs::remove_file(path).ok();
         }
         let terrain = simulation.into_terrain().wrap();
-        if let Ok(Some(watcher)) = watcher.into_inner() {
-            if let Some(note) = watcher.finish(out)? {
-                (self.options.progress)(Signal::Note(note.into()));
-            }
+        if let Ok(Some(watcher)) = watcher.into_inner()
+            && let Some(note) = watcher.finish(out)?
+        {
+            (self.options.progress)(Signal::Note(note.into()));
         }
         Ok(Some((terrain, outcome)))
     }

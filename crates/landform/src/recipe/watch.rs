@@ -202,7 +202,8 @@ impl<'a> Watcher<'a> {
             return Ok(Some("`watch` never looked: the run ended before its first time"));
         }
         if let Some(path) = &self.watch.animation {
-            out.put(path, &encode_animation(path, &self.frames)?)?;
+            let frames: Vec<_> = self.frames.iter().map(|f| f.pixels.as_slice()).collect();
+            out.put(path, &encode_animation(path, self.frames[0].shape, &frames)?)?;
         }
         Ok(None)
     }

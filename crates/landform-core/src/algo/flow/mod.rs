@@ -112,7 +112,7 @@ impl Flow {
         &self.receiver
     }
 
-    /// The slot of each node's receiver, or [`NO_SLOT`](crate::grid::NO_SLOT).
+    /// The slot of each node's receiver, or [`NO_SLOT`].
     pub fn slots(&self) -> &[u8] {
         &self.slot
     }

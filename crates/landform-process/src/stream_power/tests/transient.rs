@@ -92,10 +92,8 @@ fn rescaled_landscapes_are_the_same() {
         let z = (0..grid.len()).map(|i| if i / n == n - 1 { 0.0 } else { height * Seed(4).uniform(i as u64) });
         let terrain = HeightField::new(grid, z.collect()).unwrap();
         let rivers = StreamPower { erodibility: Erodibility::of(K / time).into(), ..law(0.5, 1.0) };
-        let creep = LinearDiffusion {
-            diffusivity: landform_core::units::Diffusivity::of(0.1 * length * length / time).into(),
-            ..LinearDiffusion::default()
-        };
+        let creep =
+            LinearDiffusion { diffusivity: landform_core::units::Diffusivity::of(0.1 * length * length / time).into() };
         let mut sim = Simulation::new(terrain)
             .process(Uplift { rate: Rate::from_si(U / YEAR * height / time).into() })
             .unwrap()
