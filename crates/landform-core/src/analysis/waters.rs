@@ -8,11 +8,11 @@ use std::sync::Arc;
 
 use crate::algo::flow::{Flow, node_areas};
 use crate::algo::network::reaches;
-use crate::algo::outlets::{self, at_or_under};
+use crate::algo::outlets::{at_or_under, fill_inland_water};
 use crate::algo::outline::{Ring, label_regions, outlines};
 use crate::field::names;
 use crate::grid::{BASE_LEVEL, Domain, Grid, MASKED};
-use crate::terrain::{HeightField, NodeSurface};
+use crate::terrain::{HeightField, NodeSurface, sea_level as terrain_sea_level};
 use crate::{math, parallel};
 
 /// Where water goes on a terrain: what rivers, lakes and basins are read from.
@@ -54,9 +54,9 @@ impl<D: Domain> Drainage<D> {
             }
         }
         let mut level = flow.water_level(terrain.elevation());
-        let sea_level = sea_level.or_else(|| outlets::sea_level(domain.status(), terrain.elevation()));
+        let sea_level = sea_level.or_else(|| terrain_sea_level(domain.status(), terrain.elevation()));
         if let Some(sea) = sea_level {
-            outlets::fill_inland_water(terrain, &*domain, sea, &mut level);
+            fill_inland_water(terrain, &*domain, sea, &mut level);
         }
         Self { domain, flow, area, discharge, level, sea_level }
     }

@@ -1,7 +1,6 @@
 //! From one representation to another: `target_from_source`.
 
-use super::{HeightField, Mesh, NodeSurface, height_field};
-use crate::algo::outlets::sea_level;
+use super::{HeightField, Mesh, NodeSurface, height_field, sea_level};
 use crate::field::{Fields, Values};
 use crate::grid::{Domain, Grid, MASKED};
 use crate::{Result, parallel};

@@ -8,6 +8,7 @@ mod convert;
 mod gaussian;
 mod height_field;
 mod mesh;
+mod sea;
 
 use std::sync::Arc;
 
@@ -18,6 +19,7 @@ pub use convert::{height_field_from_mesh, mesh_parts_from_height_field, resample
 pub use gaussian::gaussian_from_mesh;
 pub use height_field::HeightField;
 pub use mesh::Mesh;
+pub use sea::sea_level;
 
 use crate::field::Fields;
 use crate::grid::Domain;
@@ -54,7 +56,7 @@ pub trait NodeSurface: Terrain {
     /// nodata masked.
     fn domain(&self) -> Arc<Self::Domain>;
 
-    /// Sets the status of every node (see [`Outlets`](crate::algo::outlets::Outlets)); none goes back to what the border says.
+    /// Sets the status of every node (see [`Outlets`](crate::verb::Outlets)); none goes back to what the border says.
     fn set_status(&mut self, status: Option<Vec<u8>>);
 
     /// The status of every node as the border alone says.

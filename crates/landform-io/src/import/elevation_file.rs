@@ -5,10 +5,9 @@
 
 use std::path::Path;
 
-use landform_core::algo::outlets::{NamedOutlets, Outlets};
 use landform_core::terrain::{HeightField, resample};
 use landform_core::units::Length;
-use landform_core::verb::{Context, Estimate, Generator, Params, Source};
+use landform_core::verb::{Context, Estimate, Generator, NamedOutlets, Outlets, Params, Source};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -2,9 +2,9 @@
 
 use landform_core::Result;
 use landform_core::algo::flow::Flow;
-use landform_core::algo::outlets::{at_or_under, sea_level};
+use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
-use landform_core::terrain::{HeightField, Mesh, NodeSurface, gaussian_from_mesh, height_field_from_mesh};
+use landform_core::terrain::{HeightField, Mesh, NodeSurface, gaussian_from_mesh, height_field_from_mesh, sea_level};
 use landform_core::units::Length;
 use landform_core::verb::{Convert, Estimate, Params, Source};
 use schemars::JsonSchema;

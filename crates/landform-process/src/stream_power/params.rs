@@ -1,9 +1,8 @@
 //! The words of stream power.
 
 use landform_core::algo::flow::Descent;
-use landform_core::algo::outlets::Outlets;
 use landform_core::units::{Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension};
-use landform_core::verb::{Changing, Params, Source, Varying};
+use landform_core::verb::{Changing, Outlets, Params, Source, Varying};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,6 @@
 //! Steady states against theory, on both representations. Identifiers in brackets are those of the validation notes.
 
 use landform_core::algo::flow::{Flow, node_areas};
-use landform_core::algo::outlets::Outlets;
 use landform_core::field::names;
 use landform_core::grid::{Domain, Edge, Edges, Grid, INTERIOR, Shape, Side};
 use landform_core::math;
@@ -9,7 +8,7 @@ use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop, Stopped};
 use landform_core::terrain::{HeightField, Mesh, NodeSurface};
 use landform_core::units::{Angle, Erodibility, KYR, Length, MYR, Rate, YEAR};
-use landform_core::verb::{Context, Generator, NoMaps, Resolved};
+use landform_core::verb::{Context, Generator, NoMaps, Outlets, Resolved};
 
 use super::braun_willett_2013::sweep;
 use super::yuan_2019::Sediment;
