@@ -372,10 +372,14 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     fn step(&mut self, dt: f64) -> Result<Change> {
         let before = self.stop.steady.map(|_| self.terrain.watched().to_vec());
         let (clock, seed, cancel) = (self.clock, self.seed, &self.cancel);
+        let may_be_last = self.stop.steady.is_some()
+            || self.stop.steps.is_some_and(|n| clock.steps + 1 >= n)
+            || self.stop.time.is_some_and(|t| clock.time + dt >= t - 1e-9 * self.dt);
         let at = |k: usize| Step {
             index: clock.steps,
             time: clock.time,
             dt,
+            may_be_last,
             seed: seed.with(k as u64).with(clock.steps),
             cancel: cancel.clone(),
         };

@@ -171,6 +171,8 @@ pub struct Step {
     pub time: f64,
     /// Length of the step, s.
     pub dt: f64,
+    /// Whether the run may end with this step: what [`Process::finish`] leaves about the last step need not be kept else.
+    pub may_be_last: bool,
     /// Seed of this step of this process.
     pub seed: Seed,
     /// To be polled by steps that take more than about a second.

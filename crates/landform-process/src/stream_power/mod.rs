@@ -188,7 +188,9 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         let law = self.law(floor.unwrap_or(f64::NEG_INFINITY), at.dt);
         let z = terrain.elevation_mut();
         erosion.clear();
-        erosion.extend_from_slice(z);
+        if at.may_be_last {
+            erosion.extend_from_slice(z);
+        }
         if self.deposition > 0.0 {
             change = change.plus(sediment.sweep(&*domain, flow, &law, &state.erodibility, amount, z));
         } else {
