@@ -164,3 +164,36 @@ fn base_levels_fall_with_the_sea() {
     let terrain = evolve(raster(20, 3), 0.0, rivers, 10.0 * KYR, Stop::time(200.0 * KYR));
     assert!((terrain.elevation()[19 * 20] + 50.0).abs() < 1e-9, "{}", terrain.elevation()[19 * 20]);
 }
+
+#[test]
+fn creep_and_rivers_share_an_unchannelized_strip() {
+    // SP12: D p' + K xᵐ p = U on a strip one cell wide (area = width · x from the divide), p the slope:
+    // p(x) = (U/D) ∫₀ˣ exp(−K' (xᵐ⁺¹ − sᵐ⁺¹)/(D (m + 1))) ds, K' = K widthᵐ.
+    let (n, cell, m, creep) = (101, 2.0, 0.5, 5.0);
+    let k = creep / math::pow(200.0, 1.5) / math::pow(cell, m);
+    let rivers = StreamPower { erodibility: Erodibility::of(k).into(), ..law(m, 1.0) };
+    let mut sim = Simulation::new(line(n, cell))
+        .process(uplift(1.0))
+        .unwrap()
+        .process(rivers)
+        .unwrap()
+        .process(LinearDiffusion { diffusivity: landform_core::units::Diffusivity::of(creep).into() })
+        .unwrap()
+        .dt(4.0 * YEAR)
+        .until(Stop::time(30.0 * KYR));
+    sim.run().unwrap();
+    let z = sim.terrain().elevation();
+    let analytic = |x: f64| {
+        let parts = 2_000;
+        let weight = |s: f64| {
+            math::exp(-k * math::pow(cell, m) * (math::pow(x, m + 1.0) - math::pow(s, m + 1.0)) / (creep * (m + 1.0)))
+        };
+        1e-3 / creep * (0..parts).map(|i| weight((i as f64 + 0.5) * x / parts as f64)).sum::<f64>() * x / parts as f64
+    };
+    for i in (2..n - 2).step_by(9) {
+        // The face below node i has all nodes above it upstream.
+        let x = cell * (n - i) as f64;
+        let (found, expected) = ((z[i] - z[i - 1]) / cell, analytic(x));
+        assert!((found / expected - 1.0).abs() < 0.01, "at {x} m: {found} {expected}");
+    }
+}
