@@ -9,7 +9,8 @@ use serde::{Deserialize, Serialize};
 
 use super::braun_willett_2013::Law;
 
-/// Rivers that cut their beds: dz/dt = -k A^m S^n, with lakes that spill over their lowest pass.
+/// Rivers that cut their beds, and may lay down again what they carry: dz/dt = -k A^m S^n + G Q/A, with lakes that spill over
+/// their lowest pass and a sea that comes and goes.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StreamPower {
@@ -42,7 +43,8 @@ pub struct StreamPower {
     /// border by a map ({ border_where = map, below = 0.33 }), or any nodes by a map ({ mask = map }). As the landscape has
     /// it, if not given.
     pub outlets: Option<Outlets>,
-    /// Sea level; may change in time. With outlets "sea" it is where rivers end (0 m if not given), elsewhere base levels
+    /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or { mean = "0 m", amplitude =
+    /// "60 m", period = "100 kyr" }. With outlets "sea" it is where rivers end (0 m if not given), elsewhere base levels
     /// rise and fall with it.
     pub sea_level: Option<Changing<LengthDimension>>,
     /// Which lower neighbour receives a node's water.
