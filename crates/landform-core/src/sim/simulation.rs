@@ -324,14 +324,22 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         Ok(())
     }
 
-    fn reason_to_stop(&self) -> Option<Stopped> {
-        let most_steps = self.stop.steps.or(self.stop.time.is_none().then_some(MOST_STEPS_WITHOUT_END));
+    fn is_end_time(&self, time: f64) -> bool {
         // A remainder below a billionth of the step is rounding, not time.
-        if self.stop.time.is_some_and(|t| self.clock.time >= t - 1e-9 * self.dt) {
+        self.stop.time.is_some_and(|t| time >= t - 1e-9 * self.dt)
+    }
+
+    fn steps_are_used_up(&self, steps: u64) -> bool {
+        let most = self.stop.steps.or(self.stop.time.is_none().then_some(MOST_STEPS_WITHOUT_END));
+        most.is_some_and(|n| steps >= n)
+    }
+
+    fn reason_to_stop(&self) -> Option<Stopped> {
+        if self.is_end_time(self.clock.time) {
             Some(Stopped::EndTime)
         } else if self.stop.steady.zip(self.clock.residual).is_some_and(|(tolerance, r)| r <= tolerance) {
             Some(Stopped::Steady)
-        } else if most_steps.is_some_and(|n| self.clock.steps >= n) {
+        } else if self.steps_are_used_up(self.clock.steps) {
             Some(Stopped::MaxSteps)
         } else if self.cancel.is_cancelled() {
             Some(Stopped::Cancelled)
@@ -372,9 +380,8 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     fn step(&mut self, dt: f64) -> Result<Change> {
         let before = self.stop.steady.map(|_| self.terrain.watched().to_vec());
         let (clock, seed, cancel) = (self.clock, self.seed, &self.cancel);
-        let may_be_last = self.stop.steady.is_some()
-            || self.stop.steps.is_some_and(|n| clock.steps + 1 >= n)
-            || self.stop.time.is_some_and(|t| clock.time + dt >= t - 1e-9 * self.dt);
+        let may_be_last =
+            self.stop.steady.is_some() || self.steps_are_used_up(clock.steps + 1) || self.is_end_time(clock.time + dt);
         let at = |k: usize| Step {
             index: clock.steps,
             time: clock.time,

@@ -14,7 +14,7 @@ use landform_core::Result;
 use landform_core::grid::Domain;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, height_field_from_mesh};
 
-pub use measure_summary::MeasureSummary;
+pub use measure_summary::{MeasureSummary, Measured};
 pub use write_features::WriteFeatures;
 pub use write_heightmap::{Preset, WriteHeightmap};
 pub use write_mesh::WriteMesh;

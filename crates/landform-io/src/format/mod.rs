@@ -21,7 +21,7 @@ pub(crate) use exr::write_rgb as write_exr_rgb;
 pub use geotiff::{Compression, DataType, GeotiffOptions};
 pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh};
 pub use picture::{encode_png, read_grey};
-pub(crate) use raw16::quantize;
+pub(crate) use raw16::{STEPS, quantize};
 pub use sidecar::Sidecar;
 pub use table::{
     MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFile, RasterFormat, load_raster, mesh_format, raster_format,

@@ -8,7 +8,7 @@ use super::{RasterFile, Sidecar};
 
 const NAME: &str = "RAW16";
 /// Steps between the least and the greatest value.
-pub(super) const STEPS: f64 = 65_535.0;
+pub(crate) const STEPS: f64 = 65_535.0;
 
 pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightField> {
     let count = bytes.len() / 2;

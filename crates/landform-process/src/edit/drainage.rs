@@ -27,7 +27,7 @@ impl Params for Drainage {
 impl<T: NodeSurface> Edit<T> for Drainage {
     fn edit(&self, terrain: &mut T, _: &Context) -> Result<()> {
         let domain = terrain.domain();
-        leave_drainage(terrain, &domain, &mut Flow::new());
+        leave_drainage(terrain, &domain, &mut Flow::new(), None);
         Ok(())
     }
 }

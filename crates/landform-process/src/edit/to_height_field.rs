@@ -63,7 +63,7 @@ impl Convert<Mesh, HeightField> for ToHeightField {
         if field.fields.get(&names::DRAINAGE_AREA, "").is_ok() {
             let depth = field.fields.remove(names::LAKE_DEPTH.name);
             let domain = field.domain();
-            leave_drainage(&mut field, &domain, &mut Flow::new());
+            leave_drainage(&mut field, &domain, &mut Flow::new(), None);
             // Between nodes there are hollows that the mesh has not.
             if let Some(depth) = depth {
                 field.fields.insert_values(names::LAKE_DEPTH.name, depth);

@@ -1,18 +1,23 @@
 //! The fields that describe where water goes.
 
 use landform_core::algo::flow::{Flow, node_areas};
+use landform_core::algo::outlets::fill_inland_water;
 use landform_core::field::names;
 use landform_core::grid::{Domain, MASKED};
 use landform_core::terrain::NodeSurface;
 use landform_core::{math, parallel};
 
-/// Routes flow over the terrain as it is and leaves drainage area, lake depth, receiver and basin as fields.
-pub fn leave_drainage<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow: &mut Flow) {
+/// Routes flow over the terrain as it is and leaves drainage area, lake depth, receiver and basin as fields. With a sea, water at
+/// its level that it does not reach is a lake.
+pub fn leave_drainage<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow: &mut Flow, sea_level: Option<f64>) {
     let mut area = node_areas(domain);
     flow.route(domain, terrain.elevation(), &mut area);
     let status = domain.status();
     let z = terrain.elevation();
-    let level = flow.water_level(z);
+    let mut level = flow.water_level(z);
+    if let Some(sea_level) = sea_level {
+        fill_inland_water(terrain, domain, sea_level, &mut level);
+    }
     let depth = parallel::map(z.len(), |i| level[i] - z[i]);
     parallel::update(&mut area, |i, a| {
         if status[i] == MASKED {

@@ -47,7 +47,7 @@ mod yuan_2019;
 use std::sync::Arc;
 
 use landform_core::algo::flow::{Flow, node_areas};
-use landform_core::algo::outlets::{at_or_under, fill_inland_water};
+use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
 use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
 use landform_core::terrain::NodeSurface;
@@ -184,8 +184,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         let risen = self.sea_at(at.time + at.dt).zip(self.sea_at(0.0)).map_or(0.0, |(now, then)| now - then);
         let mut change = hold_base_level(terrain, &*domain, &state.base, risen);
         let Scratch { flow, amount, sediment, erosion, .. } = &mut state.scratch;
-        let floor = if self.ends_in_sea() { self.sea_at(at.time) } else { None };
-        let law = self.law(floor.unwrap_or(f64::NEG_INFINITY), at.dt);
+        let floor = if self.ends_in_sea() { state.sea_level } else { f64::NEG_INFINITY };
+        let law = self.law(floor, at.dt);
         let z = terrain.elevation_mut();
         erosion.clear();
         if at.may_be_last {
@@ -211,14 +211,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             domain = terrain.domain();
         }
         let flow = &mut state.scratch.flow;
-        leave_drainage(terrain, &domain, flow);
-        if self.ends_in_sea() {
-            let mut water = flow.water_level(terrain.elevation());
-            fill_inland_water(terrain, &*domain, state.sea_level, &mut water);
-            let z = terrain.elevation();
-            let depth = parallel::map(z.len(), |i| water[i] - z[i]);
-            terrain.fields_mut().insert(&names::LAKE_DEPTH, depth);
-        }
+        leave_drainage(terrain, &domain, flow, self.ends_in_sea().then_some(state.sea_level));
         leave_steepness(terrain, &domain, flow, self.area_exponent / self.slope_exponent);
         let erosion = std::mem::take(&mut state.scratch.erosion);
         if !erosion.is_empty() {

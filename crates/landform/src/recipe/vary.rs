@@ -4,13 +4,12 @@ use std::fmt::Write;
 use std::sync::Arc;
 use std::time::Instant;
 
-use landform_core::analysis::{Hypsometry, SlopeArea, Summary, hypsometry, slope_area, summary};
+use landform_core::analysis::{Hypsometry, SlopeArea, Summary};
 use landform_core::grid::Shape;
-use landform_core::terrain::NodeSurface;
 use landform_core::units::YEAR;
-use landform_core::verb::{CancelToken, MemoryOutput, Outcome, Stopped};
+use landform_core::verb::{CancelToken, Measure, MemoryOutput, Outcome, Stopped};
 use landform_core::{Error, Result, parallel};
-use landform_io::export::{Drawable, WritePicture};
+use landform_io::export::{MeasureSummary, Measured, WritePicture};
 use landform_io::render::Picture;
 
 use super::{AnyTerrain, Options, Override, Ran, Recipe};
@@ -248,19 +247,14 @@ fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cancel: &CancelToke
         return Err(Error::Interrupted);
     };
     let seconds = started.elapsed().as_secs_f64();
-    let (summary, hypsometry, slope_area) = match &*terrain {
-        AnyTerrain::HeightField(t) => measured(t)?,
-        AnyTerrain::Mesh(t) => measured(t)?,
+    let measure = MeasureSummary::default();
+    let Measured { summary, hypsometry, slope_area } = match &*terrain {
+        AnyTerrain::HeightField(t) => measure.measure(t)?,
+        AnyTerrain::Mesh(t) => measure.measure(t)?,
     };
     let outcome = history.iter().rev().find_map(|e| e.outcome);
     let terrain = Some(terrain);
     Ok(Row { seed: *seed, values: values.clone(), outcome, summary, hypsometry, slope_area, seconds, terrain })
-}
-
-fn measured<T: Drawable>(terrain: &T) -> Result<(Summary, Hypsometry, SlopeArea)> {
-    let summary = summary(terrain);
-    let least = 4.0 * summary.area / summary.nodes.max(1) as f64;
-    Ok((summary, hypsometry(terrain.raster()?.elevation()), slope_area(terrain, least)))
 }
 
 /// Pictures side by side, each with its number in the corner, in rows that make the sheet about square.

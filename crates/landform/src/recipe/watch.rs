@@ -3,8 +3,8 @@
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
-use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::algo::outlets::at_or_under;
+use landform_core::analysis::{Summary, summary};
 use landform_core::grid::{BASE_LEVEL, Domain};
 use landform_core::sim::{Every, View};
 use landform_core::terrain::NodeSurface;
@@ -159,23 +159,15 @@ impl<'a> Watcher<'a> {
     }
 
     fn row<S: NodeSurface, T>(&mut self, terrain: &S, view: &View<T>) {
-        let (domain, z) = (terrain.domain(), terrain.elevation());
-        let areas = node_areas(&*domain);
-        let mut flow = Flow::new();
-        flow.route(&*domain, z, &mut areas.clone());
-        let finite = || z.iter().zip(&areas).filter(|(z, _)| z.is_finite());
-        let min = finite().fold(f64::INFINITY, |m, (z, _)| m.min(*z));
-        let max = finite().fold(f64::NEG_INFINITY, |m, (z, _)| m.max(*z));
-        let mean = finite().map(|(z, a)| z * a).sum::<f64>() / areas.iter().sum::<f64>();
+        let Summary { min, mean, max, lakes, .. } = summary(terrain);
         let (c, residual) = (view.change, view.residual.map_or(String::new(), |r| format!("{r:.6e}")));
         // Text in memory cannot fail to be written.
         let _ = write!(
             self.rows,
-            "{},{:.9e},{:.9e},{},{min:.6},{mean:.6},{max:.6},{residual},{:.9e},{:.9e},{:.9e},{:.9e}",
+            "{},{:.9e},{:.9e},{lakes},{min:.6},{mean:.6},{max:.6},{residual},{:.9e},{:.9e},{:.9e},{:.9e}",
             view.steps,
             view.time / YEAR,
             view.dt / YEAR,
-            flow.lakes(),
             c.supplied,
             c.eroded,
             c.deposited,

@@ -8,7 +8,7 @@ use landform_core::Result;
 use landform_core::terrain::NodeSurface;
 
 use super::{Heights, Preset};
-use crate::format::{Sidecar, mesh_file_from_height_field, mesh_format, quantize, raster_format, write_exr_rgb};
+use crate::format::{STEPS, Sidecar, mesh_file_from_height_field, mesh_format, quantize, raster_format, write_exr_rgb};
 
 /// Sizes that an engine takes.
 #[derive(Clone, Copy, Debug)]
@@ -33,13 +33,12 @@ pub(super) struct Engine {
     pub(super) write: fn(&Heights) -> Result<Vec<u8>>,
     /// The numbers to type, and where.
     steps: fn(&Heights) -> String,
-    /// What the raw numbers mean, for programs.
-    pub(super) sidecar: fn(&Heights) -> Option<Sidecar>,
+    /// Whether the first row is the south edge.
+    south_first: bool,
 }
 
 const UNREAL_SIZES: &[usize] = &[127, 253, 505, 1009, 2017, 4033, 8129];
 const UNITY_SIZES: &[usize] = &[33, 65, 129, 257, 513, 1025, 2049, 4097];
-const STEPS: f64 = 65_535.0;
 
 pub(super) fn engine(preset: Preset) -> &'static Engine {
     match preset {
@@ -58,7 +57,7 @@ static UNREAL: Engine = Engine {
     sizes: Sizes::OneOf(UNREAL_SIZES),
     write: by_extension,
     steps: unreal_steps,
-    sidecar: steps_of_range,
+    south_first: false,
 };
 
 static UNITY: Engine = Engine {
@@ -73,10 +72,7 @@ static UNITY: Engine = Engine {
         Ok(rows.flatten().flat_map(|v| v.to_le_bytes()).collect())
     },
     steps: unity_steps,
-    sidecar: |heights| {
-        let sidecar = steps_of_range(heights)?;
-        Some(Sidecar { row_order: Some("south to north".into()), ..sidecar })
-    },
+    south_first: true,
 };
 
 static GODOT: Engine = Engine {
@@ -88,7 +84,7 @@ static GODOT: Engine = Engine {
         if heights.extension == "exr" { write_exr_rgb(&heights.file()) } else { by_extension(heights) }
     },
     steps: godot_steps,
-    sidecar: |heights| if heights.extension == "exr" { metres(heights) } else { steps_of_range(heights) },
+    south_first: false,
 };
 
 static BLENDER: Engine = Engine {
@@ -105,7 +101,7 @@ static BLENDER: Engine = Engine {
         }
     },
     steps: blender_steps,
-    sidecar: |heights| if heights.extension == "exr" { metres(heights) } else { None },
+    south_first: false,
 };
 
 static GIS: Engine = Engine {
@@ -115,22 +111,23 @@ static GIS: Engine = Engine {
     sizes: Sizes::AnySquareCells,
     write: by_extension,
     steps: gis_steps,
-    sidecar: |_| None,
+    south_first: false,
 };
 
 fn by_extension(heights: &Heights) -> Result<Vec<u8>> {
     (raster_format(std::path::Path::new(heights.file))?.write)(&heights.file())
 }
 
-fn steps_of_range(heights: &Heights) -> Option<Sidecar> {
-    Some(Sidecar::describe(&heights.file(), Some(STEPS)))
-}
-
-fn metres(heights: &Heights) -> Option<Sidecar> {
-    Some(Sidecar::describe(&heights.file(), None))
-}
-
 impl Engine {
+    /// What the raw numbers mean, for programs, where the format does not say it itself.
+    pub(super) fn sidecar(&self, heights: &Heights) -> Option<Sidecar> {
+        let mut sidecar = raster_format(std::path::Path::new(heights.file)).ok()?.sidecar(&heights.file())?;
+        if self.south_first {
+            sidecar.row_order = Some("south to north".into());
+        }
+        Some(sidecar)
+    }
+
     /// The import card, in Markdown.
     pub(super) fn card(&self, heights: &Heights) -> String {
         let grid = &heights.field.grid;

@@ -202,7 +202,7 @@ impl Export<HeightField> for WriteHeightmap {
         let engine = self.engine();
         let [bytes, card] = [(engine.write)(&heights)?, engine.card(&heights).into_bytes()];
         out.put(&self.path, &bytes)?;
-        if let Some(sidecar) = (engine.sidecar)(&heights) {
+        if let Some(sidecar) = engine.sidecar(&heights) {
             out.put(&format!("{}.landform.json", self.path), &sidecar.text()?)?;
         }
         out.put(&format!("{}.md", self.path), &card)
