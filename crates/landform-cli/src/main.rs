@@ -14,10 +14,13 @@ macro_rules! say {
     }};
 }
 
+mod analyze;
 mod bench;
 mod check;
 mod cite;
+mod compare;
 mod convert;
+mod ground;
 mod memory;
 mod new;
 mod progress;
@@ -61,6 +64,10 @@ enum Command {
     Schema,
     /// Prints the papers behind a recipe.
     Cite(cite::Args),
+    /// Measures an elevation file: report card, report, numbers, maps. Also the dimension of coasts (GeoJSON).
+    Analyze(analyze::Args),
+    /// Compares two elevation files: what is gone, what was added, and all measures side by side.
+    Compare(compare::Args),
     /// Draws an elevation file.
     Render(render::Args),
     /// Turns a raster into another raster, or into a mesh.
@@ -80,6 +87,8 @@ fn main() -> ExitCode {
         Command::Stages(args) => stages::run(&args),
         Command::Schema => schema::run(),
         Command::Cite(args) => cite::run(&args),
+        Command::Analyze(args) => analyze::run(&args),
+        Command::Compare(args) => compare::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Convert(args) => convert::run(&args),
         Command::Bench(args) => bench::run(&args),

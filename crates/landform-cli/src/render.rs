@@ -41,6 +41,7 @@ pub(crate) struct Args {
 enum Kind {
     Map,
     Perspective,
+    Spectrum,
 }
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
@@ -50,6 +51,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         view: match args.view {
             Kind::Map => ViewKind::Map,
             Kind::Perspective => ViewKind::Perspective,
+            Kind::Spectrum => ViewKind::Spectrum,
         },
         path: args.output.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
         size: args.size,

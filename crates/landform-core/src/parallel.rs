@@ -88,6 +88,22 @@ pub fn for_pieces_mut2<A: Send, B: Send>(
     a.par_chunks_mut(size).zip(b.par_chunks_mut(size)).enumerate().for_each(|(k, (a, b))| f(k * size, a, b));
 }
 
+/// Sorts by a total order in which no two different values are equal, so that the result does not depend on how it is done.
+pub fn sort_by<T: Send>(values: &mut [T], order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync) {
+    values.par_sort_unstable_by(order);
+}
+
+/// Calls `f(row, a, b)` for matching rows of two row-major slices of as many rows.
+pub fn for_rows_mut2<A: Send, B: Send>(
+    a: &mut [A],
+    cols_a: usize,
+    b: &mut [B],
+    cols_b: usize,
+    f: impl Fn(usize, &mut [A], &mut [B]) + Sync,
+) {
+    a.par_chunks_mut(cols_a).zip(b.par_chunks_mut(cols_b)).enumerate().for_each(|(row, (a, b))| f(row, a, b));
+}
+
 /// Runs `f` on exactly `threads` threads (0: as many as there are cores).
 ///
 /// # Errors

@@ -5,7 +5,8 @@
 //! | [`mod@format`] | readers and writers of rasters and meshes, one file each |
 //! | [`import`] | the `elevation_file` generator, maps by path |
 //! | [`render`] | pictures: colour ramps, the shaded map, the perspective view |
-//! | [`report`] | the one-file HTML report |
+//! | [`report`] | the one-file HTML report, the report card |
+//! | [`measure`] | the stages that tell numbers |
 //! | [`export`] | the stages that write files |
 //! | [`files`] | whole files or none |
 
@@ -13,5 +14,6 @@ pub mod export;
 pub mod files;
 pub mod format;
 pub mod import;
+pub mod measure;
 pub mod render;
 pub mod report;

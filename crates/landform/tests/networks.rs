@@ -41,7 +41,8 @@ fn means(open: &str) -> ([f64; 3], f64) {
     let (mut sum, mut integral) = ([0.0; 3], 0.0);
     for seed in 1..=3 {
         let mesh = steady(seed, 20_000, open, "\"0.4 mm/yr\"");
-        let NetworkScaling { area_exponent, hack_exponent, length_exponent } = network_scaling(&mesh);
+        let NetworkScaling { area_exponent, hack_exponent, length_exponent, .. } =
+            network_scaling(&Drainage::of(&mesh, None, 0.0));
         for (s, v) in sum.iter_mut().zip([area_exponent, hack_exponent, length_exponent]) {
             *s += v / 3.0;
         }

@@ -3,6 +3,9 @@
 pub mod depression;
 pub mod derivative;
 pub mod flow;
+pub mod fourier;
+pub mod horizon;
+pub mod isoline;
 pub mod network;
 pub mod noise;
 pub mod outlets;

@@ -70,8 +70,8 @@ pub fn reaches(flow: &Flow, area: &[f64], least: f64) -> Vec<Reach> {
     number(list, area)
 }
 
-/// Strahler's order of every channel node.
-fn strahler(flow: &Flow, is_channel: impl Fn(usize) -> bool) -> Vec<u32> {
+/// Strahler's order of every channel node, 0 elsewhere. **Cost** O(n).
+pub fn strahler(flow: &Flow, is_channel: impl Fn(usize) -> bool) -> Vec<u32> {
     let n = flow.receivers().len();
     // Greatest order among donors, and whether two have it.
     let (mut order, mut twice) = (vec![0u32; n], vec![false; n]);

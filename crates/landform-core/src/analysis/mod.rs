@@ -1,13 +1,35 @@
 //! Read-only measures of a terrain.
 
+mod card;
+mod coast;
+mod compare;
+mod form;
 mod hypsometry;
-mod scaling;
-mod slope_area;
+mod metrics;
+mod network;
+mod spectrum;
 mod summary;
+mod surface;
+mod variogram;
 mod waters;
 
-pub use hypsometry::{Hypsometry, hypsometry};
-pub use scaling::{NetworkScaling, network_scaling, scaling};
-pub use slope_area::{SlopeArea, slope_area};
+pub use card::{CardLine, Verdict, report_card, verdict};
+pub use coast::{
+    Coast, Dimension, box_counts, coast, dimension_by_boxes, dimension_by_divider, divider_steps, project,
+};
+pub use compare::{Comparison, compare};
+pub use form::{Form, form, form_of, share_in_sinks};
+pub use hypsometry::{HypsometricClass, Hypsometry, ModelCurve, classify, hypsometry, of_sorted};
+pub use metrics::{Drawings, Elevations, Metrics, SPECTRUM_PLOT, metrics};
+pub use network::{
+    Chi, Horton, Network, NetworkScaling, NetworkSizes, SlopeArea, carved, channel_area, chi_profile, horton, network,
+    network_scaling, scaling, slope_area, slope_area_of,
+};
+pub use spectrum::{
+    Density, LEAST_WINDOW, LogBin, PowerLaw, Ring, SeedFit, Spectrum, Transects, Window, density, largest_square,
+    of_density, seed_fit, spectrum, transects,
+};
 pub use summary::{Summary, summary};
+pub use surface::{REPOSE, Surface, surface};
+pub use variogram::{LAGS, Variogram, variogram};
 pub use waters::{Basin, Drainage, Lake, Polygon, RiverReach, Width, basins, lakes, rivers};

@@ -31,6 +31,32 @@ pub const EROSION_RATE: Key<f64> = Key::new(
 );
 /// Rainfall.
 pub const RAINFALL: Key<f64> = Key::new("rainfall", "m/s", "rainfall");
+/// Slope of the ground.
+pub const SLOPE: Key<f64> = Key::new("slope", "1", "rise over run of the ground (Horn)");
+/// Direction that the ground faces.
+pub const ASPECT: Key<f64> =
+    Key::new("aspect", "deg", "compass direction that the ground faces, clockwise from north; none on level ground");
+/// Curvature along the slope.
+pub const PROFILE_CURVATURE: Key<f64> =
+    Key::new("profile_curvature", "1/m", "curvature along the line of steepest slope, positive on shoulders");
+/// Curvature of the contour.
+pub const PLAN_CURVATURE: Key<f64> =
+    Key::new("plan_curvature", "1/m", "curvature of the contour, positive on spurs, negative in hollows");
+/// Elevation against that of the surroundings.
+pub const POSITION_INDEX: Key<f64> = Key::new(
+    "position_index",
+    "m",
+    "elevation less the mean of the ground around: above 0 on ridges, below in valleys",
+);
+/// Relief of the surroundings.
+pub const LOCAL_RELIEF: Key<f64> = Key::new("local_relief", "m", "highest less lowest elevation of the ground around");
+/// What the sun or the wind reaches.
+pub const EXPOSURE: Key<f64> = Key::new("exposure", "1", "1 where the sun or the wind reaches the ground, 0 in shadow");
+/// Drainage area spread by D-infinity.
+pub const SPREAD_AREA: Key<f64> =
+    Key::new("spread_area", "m2", "upslope area, own cell included, by D-infinity: water spreads over two neighbours");
+/// A mask.
+pub const MASK: Key<f64> = Key::new("mask", "1", "how much a place is chosen, 0 to 1");
 /// Name, unit and meaning of every standard field.
 pub const ALL: &[(&str, &str, &str)] = &[
     (ELEVATION.name, ELEVATION.unit, ELEVATION.meaning),
@@ -42,6 +68,15 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (CHI.name, CHI.unit, CHI.meaning),
     (EROSION_RATE.name, EROSION_RATE.unit, EROSION_RATE.meaning),
     (RAINFALL.name, RAINFALL.unit, RAINFALL.meaning),
+    (SLOPE.name, SLOPE.unit, SLOPE.meaning),
+    (ASPECT.name, ASPECT.unit, ASPECT.meaning),
+    (PROFILE_CURVATURE.name, PROFILE_CURVATURE.unit, PROFILE_CURVATURE.meaning),
+    (PLAN_CURVATURE.name, PLAN_CURVATURE.unit, PLAN_CURVATURE.meaning),
+    (POSITION_INDEX.name, POSITION_INDEX.unit, POSITION_INDEX.meaning),
+    (LOCAL_RELIEF.name, LOCAL_RELIEF.unit, LOCAL_RELIEF.meaning),
+    (EXPOSURE.name, EXPOSURE.unit, EXPOSURE.meaning),
+    (SPREAD_AREA.name, SPREAD_AREA.unit, SPREAD_AREA.meaning),
+    (MASK.name, MASK.unit, MASK.meaning),
 ];
 
 /// Unit of a standard field.

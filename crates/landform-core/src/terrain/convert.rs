@@ -1,5 +1,8 @@
 //! From one representation to another: `target_from_source`.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::{HeightField, Mesh, NodeSurface, height_field, sea_level};
 use crate::field::{Fields, Values};
 use crate::grid::{Domain, Grid, MASKED};
@@ -120,12 +123,23 @@ fn inside(t: [[f64; 2]; 3], p: [f64; 2]) -> bool {
     side(t[0], t[1]) && side(t[1], t[2]) && side(t[2], t[0])
 }
 
-/// A raster on another grid: bilinear where the new cells are not larger, else the mean over the new cell. Nodata spreads
+/// What is drawn between nodes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Interpolation {
+    /// Straight lines: no value beyond the nodes'.
+    #[default]
+    Linear,
+    /// Smooth curves through the nodes (Catmull and Rom 1974): no creases, but a little beyond the nodes at sharp edges.
+    Cubic,
+}
+
+/// A raster on another grid: interpolated where the new cells are not larger, else the mean over the new cell. Nodata spreads
 /// to cells that lack data for half of their weight.
 ///
 /// # Errors
 /// As [`HeightField::new`].
-pub fn resample(source: &HeightField, grid: &Grid) -> Result<HeightField> {
+pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation) -> Result<HeightField> {
     let ratio = |k: usize| (grid.spacing[k] / source.grid.spacing[k]).max(1.0);
     let (nx, ny) = (ratio(0).round().min(64.0) as usize, ratio(1).round().min(64.0) as usize);
     let value = |values: &[f64], i: usize| {
@@ -135,7 +149,7 @@ pub fn resample(source: &HeightField, grid: &Grid) -> Result<HeightField> {
             for b in 0..nx {
                 let dx = ((b as f64 + 0.5) / nx as f64 - 0.5) * grid.spacing[0];
                 let dy = ((a as f64 + 0.5) / ny as f64 - 0.5) * grid.spacing[1];
-                let v = height_field::sample(&source.grid, values, [x + dx, y - dy]);
+                let v = sample_by(interpolation, &source.grid, values, [x + dx, y - dy]);
                 if !v.is_nan() {
                     sum += v;
                     count += 1;
@@ -156,6 +170,34 @@ pub fn resample(source: &HeightField, grid: &Grid) -> Result<HeightField> {
         }
     }
     Ok(field)
+}
+
+/// Value of a raster at a position by either interpolation, NaN outside or beside nodata.
+pub fn sample_by(interpolation: Interpolation, grid: &Grid, values: &[f64], position: [f64; 2]) -> f64 {
+    let linear = height_field::sample(grid, values, position);
+    if interpolation == Interpolation::Linear || linear.is_nan() {
+        return linear;
+    }
+    let [u, v] = grid.col_row(position);
+    let (cols, rows) = (grid.shape.cols as isize, grid.shape.rows as isize);
+    let (c, r) = ((u.floor() as isize).clamp(0, cols - 1), (v.floor() as isize).clamp(0, rows - 1));
+    let (fu, fv) = (weights((u - c as f64).clamp(0.0, 1.0)), weights((v - r as f64).clamp(0.0, 1.0)));
+    let mut sum = 0.0;
+    for (a, wv) in fv.iter().enumerate() {
+        for (b, wu) in fu.iter().enumerate() {
+            let row = (r + a as isize - 1).clamp(0, rows - 1) as usize;
+            let col = (c + b as isize - 1).clamp(0, cols - 1) as usize;
+            sum += wv * wu * values[grid.shape.index(row, col)];
+        }
+    }
+    // Beside nodata there are not sixteen nodes.
+    if sum.is_nan() { linear } else { sum }
+}
+
+/// Catmull and Rom's weights of the four nodes around a point, the last of them 0 at a node.
+fn weights(t: f64) -> [f64; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [0.5 * (-t3 + 2.0 * t2 - t), 0.5 * (3.0 * t3 - 5.0 * t2 + 2.0), 0.5 * (-3.0 * t3 + 4.0 * t2 + t), 0.5 * (t3 - t2)]
 }
 
 fn on_rim(grid: &Grid, i: usize) -> bool {
@@ -226,12 +268,25 @@ mod tests {
             }
         }
         let field = HeightField::new(grid.clone(), z).unwrap();
-        let fine = resample(&field, &grid.with_cell_size(5.0).unwrap()).unwrap();
+        let fine = resample(&field, &grid.with_cell_size(5.0).unwrap(), Interpolation::Linear).unwrap();
         assert!((fine.elevation_at([35.0, 45.0]) - 125.0).abs() < 1e-9);
         assert!(fine.elevation_at([100.0, 100.0]).is_nan());
-        let coarse = resample(&field, &grid.with_cell_size(20.0).unwrap()).unwrap();
+        let coarse = resample(&field, &grid.with_cell_size(20.0).unwrap(), Interpolation::Linear).unwrap();
         assert_eq!(coarse.grid.shape, Shape::new(11, 11));
         assert!((coarse.elevation_at([40.0, 40.0]) - 120.0).abs() < 1e-9);
         assert!(coarse.elevation_at([100.0, 100.0]).is_nan());
+    }
+
+    #[test]
+    fn cubic_curves_go_through_the_nodes_and_keep_planes() {
+        let grid = Grid::new(Shape::new(6, 7), [10.0, 10.0]).unwrap();
+        let rough: Vec<f64> = (0..42).map(|i| f64::from((i * 37) % 11)).collect();
+        let plane: Vec<f64> = (0..42).map(|i| grid.position(i)[0] - 2.0 * grid.position(i)[1]).collect();
+        for i in 0..42 {
+            assert!((sample_by(Interpolation::Cubic, &grid, &rough, grid.position(i)) - rough[i]).abs() < 1e-12);
+        }
+        let at = [23.7, 21.2];
+        assert!((sample_by(Interpolation::Cubic, &grid, &plane, at) - (at[0] - 2.0 * at[1])).abs() < 1e-12);
+        assert!(sample_by(Interpolation::Cubic, &grid, &rough, [-5.0, 0.0]).is_nan());
     }
 }

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub use convert::{height_field_from_mesh, mesh_parts_from_height_field, resample};
+pub use convert::{Interpolation, height_field_from_mesh, mesh_parts_from_height_field, resample, sample_by};
 pub use gaussian::gaussian_from_mesh;
 pub use height_field::HeightField;
 pub use mesh::Mesh;

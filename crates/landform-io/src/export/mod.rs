@@ -1,8 +1,10 @@
 //! The stages that write files.
 
-mod measure_summary;
+mod geojson;
+mod write_contours;
 mod write_features;
 mod write_heightmap;
+mod write_maps;
 mod write_mesh;
 mod write_picture;
 mod write_raster;
@@ -14,9 +16,10 @@ use landform_core::Result;
 use landform_core::grid::Domain;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, height_field_from_mesh};
 
-pub use measure_summary::{MeasureSummary, Measured};
+pub use write_contours::WriteContours;
 pub use write_features::WriteFeatures;
 pub use write_heightmap::{Preset, WriteHeightmap};
+pub use write_maps::WriteMaps;
 pub use write_mesh::WriteMesh;
 pub use write_picture::{ViewKind, WritePicture};
 pub use write_raster::WriteRaster;

@@ -5,12 +5,13 @@ use std::borrow::Cow;
 use landform_core::analysis::{Basin, Drainage, Lake, Polygon, RiverReach, Width, basins, lakes, rivers};
 use landform_core::units::{Area, Length, Rate};
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
-use landform_core::{Error, Result, math};
+use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
 
 use super::Drawable;
+use super::geojson::{Digits, collection, feature};
 
 /// Writes rivers as lines that only run downhill (x, y and the water's elevation), lakes and basins as polygons, with their
 /// properties: GeoJSON in the landscape's own metres.
@@ -116,43 +117,13 @@ impl<T: Drawable> Export<T> for WriteFeatures {
                 features.extend(basins(&raster, &drainage, least).iter().enumerate().map(|(k, b)| basin(k, b, digits)));
             }
         }
-        let mut collection = json!({ "type": "FeatureCollection", "name": landscape.title });
-        if let Some(epsg) = terrain.epsg() {
-            let name = format!("urn:ogc:def:crs:EPSG::{epsg}");
-            collection["crs"] = json!({ "type": "name", "properties": { "name": name } });
-        }
-        collection["features"] = features.into();
-        let text = serde_json::to_string(&collection).map_err(|e| Error::format("GeoJSON", e))?;
-        // One feature a line: small differences stay small.
-        out.put(&self.path, text.replace("{\"geometry\"", "\n{\"geometry\"").as_bytes())
-    }
-}
-
-/// Rounds to a thousandth of a node's distance or to the centimetre, whichever is finer; it keeps order, so that no river runs uphill.
-#[derive(Clone, Copy)]
-struct Digits(f64);
-
-impl Digits {
-    fn of(spacing: f64) -> Self {
-        Self(math::pow(10.0, (-math::log10(spacing.max(1e-9))).ceil() + 3.0).max(100.0))
-    }
-
-    fn round(self, v: f64) -> f64 {
-        (v * self.0).round() / self.0
-    }
-
-    fn all<const N: usize>(self, p: [f64; N]) -> [f64; N] {
-        p.map(|v| self.round(v))
+        out.put(&self.path, collection(landscape.title, terrain.epsg(), features)?.as_bytes())
     }
 }
 
 /// Four digits.
 fn short(v: f64) -> f64 {
     format!("{v:.3e}").parse().unwrap_or(v)
-}
-
-fn feature(geometry: &str, coordinates: Json, properties: Json) -> Json {
-    json!({ "geometry": { "type": geometry, "coordinates": coordinates }, "properties": properties, "type": "Feature" })
 }
 
 fn river(r: &RiverReach, digits: Digits) -> Json {

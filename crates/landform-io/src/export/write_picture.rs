@@ -1,5 +1,8 @@
 //! The landscape as a picture.
 
+use landform_core::analysis::{LEAST_WINDOW, density};
+use landform_core::grid::Shape;
+use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::Angle;
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Error, Result};
@@ -8,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Drawable;
 use crate::format::encode_png;
-use crate::render::{MapStyle, Picture, Ramp, View, field_map, perspective, shaded_map};
+use crate::render::{MapStyle, Picture, Ramp, View, field_map, perspective, shaded_map, value_picture};
 
 /// Writes a picture (PNG): a map from above, or a perspective view.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -55,6 +58,8 @@ pub enum ViewKind {
     Map,
     /// A block of land under a low sun.
     Perspective,
+    /// The density of relief over the plane of wave numbers, density and radius logarithmic: long waves in the middle.
+    Spectrum,
 }
 
 impl Default for WritePicture {
@@ -117,6 +122,9 @@ impl WritePicture {
                 },
             ));
         }
+        if self.view == ViewKind::Spectrum {
+            return self.spectrum(&raster);
+        }
         let field = self.field.as_deref().filter(|f| *f != "elevation");
         let style = MapStyle {
             size: self.size,
@@ -128,6 +136,22 @@ impl WritePicture {
             None => shaded_map(&raster, &style),
             Some(name) => field_map(&raster, &raster.fields.by_name(name, "`write_picture`")?, &style),
         }
+    }
+}
+
+impl WritePicture {
+    fn spectrum(&self, raster: &HeightField) -> Result<Picture> {
+        let Some((_, density)) = density(&raster.grid, raster.elevation(), true) else {
+            let value = format!("a raster of {}", raster.grid.shape);
+            return Err(Error::parameter(
+                "view",
+                value,
+                &format!("a square of {LEAST_WINDOW} nodes with data for a spectrum"),
+            ));
+        };
+        let side = self.size.clamp(16, 2048) | 1;
+        let values = density.log_plot(side);
+        Ok(value_picture(Shape::new(side, side), &values, self.ramp.unwrap_or(Ramp::Dusk)))
     }
 }
 

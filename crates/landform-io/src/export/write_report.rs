@@ -1,24 +1,29 @@
 //! The report as a file.
 
 use landform_core::Result;
-use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::units::Length;
+use landform_core::verb::{Export, Landscape, Output, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Drawable;
-use crate::report::report;
+use crate::measure::check_path;
+use crate::report::{Analysis, report};
 
-/// Writes a report: one HTML file with pictures, numbers, plots, how the landscape came to be and the papers behind it.
+/// Writes a report: one HTML file with pictures, a report card of how natural the numbers are, plots, how the landscape came to be and the
+/// papers behind it.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteReport {
     /// Path below the output folder.
     pub path: String,
+    /// Level of the sea: ground at or under it is left out of all measures but the coast.
+    pub sea_level: Option<Length>,
 }
 
 impl Default for WriteReport {
     fn default() -> Self {
-        Self { path: "report.html".into() }
+        Self { path: "report.html".into(), sea_level: None }
     }
 }
 
@@ -27,13 +32,14 @@ impl Params for WriteReport {
     const SOURCES: &'static [Source] = &[];
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path).map(drop)
+        check_path(&self.path, &[".html", ".htm"])
     }
 }
 
 impl<T: Drawable> Export<T> for WriteReport {
     fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
         let raster = landscape.terrain.raster()?;
-        out.put(&self.path, report(landscape, &raster)?.as_bytes())
+        let analysis = Analysis::of(&raster, self.sea_level.map(Length::si))?;
+        out.put(&self.path, report(landscape, &raster, &analysis)?.as_bytes())
     }
 }

@@ -1,7 +1,11 @@
 //! What comes in from files.
 
+mod degrees;
 mod elevation_file;
 mod file_maps;
+mod lines;
 
+pub use degrees::{in_degrees, metres_from_degrees};
 pub use elevation_file::ElevationFile;
 pub use file_maps::FileMaps;
+pub use lines::{Line, lines};

@@ -31,6 +31,9 @@ impl Default for MapStyle {
 const RIVER: u32 = 0x3f74a8;
 const LAKE: u32 = 0x5b93bd;
 const NOTHING: u32 = 0xe9e7e2;
+const UNCHANGED: u32 = 0xe2dfd9;
+const LOST: u32 = 0x2b5d9e;
+const GAINED: u32 = 0xb23a2c;
 
 /// Shaded relief coloured by elevation.
 ///
@@ -85,6 +88,40 @@ pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Resul
         scale(style.ramp.at((scaled[i] - a) / (b - a).max(1e-300)), 0.75 + 0.25 * shade[i])
     });
     Ok(paint(field.grid.shape, &colours, style.size))
+}
+
+/// Heights gained (red) and lost (blue) over grey relief; colours are as strong as the amount against its 99th percentile.
+///
+/// # Errors
+/// As [`HeightField::new`].
+pub fn difference_map(field: &HeightField, difference: &[f64], size: usize) -> Result<Picture> {
+    let (lo, hi) = range(field.elevation());
+    let shade = relief(&field.grid, field.elevation(), hi - lo);
+    let mut amounts: Vec<f64> = difference.iter().filter(|d| d.abs() > 0.0).map(|d| d.abs()).collect();
+    parallel::sort_by(&mut amounts, f64::total_cmp);
+    let strong = amounts.get(amounts.len() * 99 / 100).copied().unwrap_or(1.0);
+    let colours = parallel::map(difference.len(), |i| {
+        if difference[i].is_nan() {
+            return hex(NOTHING);
+        }
+        let t = (difference[i].abs() / strong).min(1.0).sqrt();
+        let colour = mix(hex(UNCHANGED), hex(if difference[i] < 0.0 { LOST } else { GAINED }), t);
+        scale(colour, 0.45 + 0.55 * shade[i])
+    });
+    Ok(paint(field.grid.shape, &colours, size))
+}
+
+/// Values as a picture of their own shape, one pixel each, from the least to the greatest.
+pub fn value_picture(shape: Shape, values: &[f64], ramp: Ramp) -> Picture {
+    let (lo, hi) = range(values);
+    let pixels = parallel::map(values.len(), |i| {
+        if values[i].is_nan() {
+            to_srgb(hex(NOTHING))
+        } else {
+            to_srgb(ramp.at((values[i] - lo) / (hi - lo).max(1e-300)))
+        }
+    });
+    Picture { shape, pixels }
 }
 
 fn range(values: &[f64]) -> (f64, f64) {

@@ -11,7 +11,7 @@ use landform_core::grid::Shape;
 
 pub use colour::Ramp;
 pub use drawing::{Waters, waters};
-pub use map::{MapStyle, field_map, shaded_map};
+pub use map::{MapStyle, difference_map, field_map, shaded_map, value_picture};
 pub use perspective::{View, perspective};
 
 /// A picture: 8-bit red, green, blue, row-major from the top.

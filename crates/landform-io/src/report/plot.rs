@@ -2,9 +2,13 @@
 
 use std::fmt::Write;
 
+use landform_core::math;
+
+use super::page::escape;
+
 const WIDTH: f64 = 480.0;
-const HEIGHT: f64 = 320.0;
-const LEFT: f64 = 62.0;
+const HEIGHT: f64 = 330.0;
+const LEFT: f64 = 66.0;
 const RIGHT: f64 = 14.0;
 const TOP: f64 = 30.0;
 const BOTTOM: f64 = 46.0;
@@ -15,70 +19,158 @@ pub(super) struct Axis {
     pub(super) logarithmic: bool,
 }
 
-/// Points, joined or not.
+/// An axis of plain numbers.
+pub(super) fn linear(label: &'static str) -> Axis {
+    Axis { label, logarithmic: false }
+}
+
+/// An axis of decimal logarithms.
+pub(super) fn logarithmic(label: &'static str) -> Axis {
+    Axis { label, logarithmic: true }
+}
+
+/// How points are drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Style {
+    /// Joined.
+    Line,
+    /// Joined by dashes: a model.
+    Dashed,
+    /// Dots.
+    Dots,
+    /// Bars from zero.
+    Bars,
+}
+
+/// Points of one kind.
+pub(super) struct Series {
+    pub(super) label: String,
+    pub(super) style: Style,
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+/// Points without a line in the legend.
+pub(super) fn unnamed(style: Style, points: Vec<(f64, f64)>) -> Series {
+    Series { label: String::new(), style, points }
+}
+
+/// A plot.
 pub(super) struct Plot {
     pub(super) title: &'static str,
     pub(super) x: Axis,
     pub(super) y: Axis,
-    pub(super) points: Vec<(f64, f64)>,
-    pub(super) line: bool,
+    pub(super) series: Vec<Series>,
+}
+
+/// From values to pixels.
+struct Frame {
+    x: (f64, f64),
+    y: (f64, f64),
+}
+
+impl Frame {
+    fn px(&self, x: f64) -> f64 {
+        LEFT + (x - self.x.0) / (self.x.1 - self.x.0) * (WIDTH - LEFT - RIGHT)
+    }
+
+    fn py(&self, y: f64) -> f64 {
+        HEIGHT - BOTTOM - (y - self.y.0) / (self.y.1 - self.y.0) * (HEIGHT - TOP - BOTTOM)
+    }
 }
 
 impl Plot {
+    /// The plot, or nothing where there is nothing to show.
     pub(super) fn svg(&self) -> String {
-        let points: Vec<_> = self.points.iter().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
-        if points.is_empty() {
+        let finite = |p: &&(f64, f64)| p.0.is_finite() && p.1.is_finite();
+        let all = || self.series.iter().flat_map(|s| s.points.iter()).filter(finite);
+        if all().next().is_none() {
             return String::new();
         }
-        let (x0, x1) = bounds(points.iter().map(|p| p.0));
-        let (y0, y1) = bounds(points.iter().map(|p| p.1));
-        let px = |x: f64| LEFT + (x - x0) / (x1 - x0) * (WIDTH - LEFT - RIGHT);
-        let py = |y: f64| HEIGHT - BOTTOM - (y - y0) / (y1 - y0) * (HEIGHT - TOP - BOTTOM);
-        let mut svg = format!("<svg width=\"{WIDTH}\" height=\"{HEIGHT}\" role=\"img\" aria-label=\"{}\">", self.title);
-        let (bottom, right) = (HEIGHT - BOTTOM, WIDTH - RIGHT);
-        for t in ticks(x0, x1, self.x.logarithmic) {
-            let x = px(t);
-            write!(svg, "<line class=\"grid\" x1=\"{x:.1}\" y1=\"{TOP}\" x2=\"{x:.1}\" y2=\"{bottom}\"/>").ok();
-            write!(
-                svg,
-                "<text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                bottom + 16.0,
-                label(t, &self.x)
-            )
-            .ok();
+        let mut frame = Frame { x: bounds(all().map(|p| p.0)), y: bounds(all().map(|p| p.1)) };
+        if self.series.iter().any(|s| s.style == Style::Bars) {
+            frame.y.0 = 0.0;
         }
-        for t in ticks(y0, y1, self.y.logarithmic) {
-            let y = py(t);
+        let mut svg = format!(
+            "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" role=\"img\" aria-label=\"{}\">",
+            self.title
+        );
+        self.draw_axes(&frame, &mut svg);
+        for (k, series) in self.series.iter().enumerate() {
+            let points: Vec<_> = series.points.iter().filter(finite).map(|p| (frame.px(p.0), frame.py(p.1))).collect();
+            draw(series.style, k % 3, &points, &frame, &mut svg);
+        }
+        self.draw_legend(&mut svg);
+        svg + "</svg>"
+    }
+
+    fn draw_axes(&self, frame: &Frame, svg: &mut String) {
+        let (bottom, right) = (HEIGHT - BOTTOM, WIDTH - RIGHT);
+        for t in ticks(frame.x.0, frame.x.1, self.x.logarithmic) {
+            let x = frame.px(t);
+            write!(svg, "<line class=\"grid\" x1=\"{x:.1}\" y1=\"{TOP}\" x2=\"{x:.1}\" y2=\"{bottom}\"/>").ok();
+            let text = label(t, &self.x);
+            write!(svg, "<text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{text}</text>", bottom + 16.0).ok();
+        }
+        for t in ticks(frame.y.0, frame.y.1, self.y.logarithmic) {
+            let y = frame.py(t);
             write!(svg, "<line class=\"grid\" x1=\"{LEFT}\" y1=\"{y:.1}\" x2=\"{right}\" y2=\"{y:.1}\"/>").ok();
-            write!(
-                svg,
-                "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
-                LEFT - 6.0,
-                y + 4.0,
-                label(t, &self.y)
-            )
-            .ok();
+            let text = label(t, &self.y);
+            write!(svg, "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>", LEFT - 6.0, y + 4.0).ok();
         }
         write!(svg, "<path class=\"axis\" d=\"M{LEFT} {TOP}V{bottom}H{right}\"/>").ok();
         let (middle_x, middle_y) = ((LEFT + right) / 2.0, (TOP + bottom) / 2.0);
-        write!(svg, "<text x=\"{middle_x}\" y=\"18\" text-anchor=\"middle\">{}</text>", self.title).ok();
+        write!(svg, "<text class=\"name\" x=\"{middle_x}\" y=\"18\" text-anchor=\"middle\">{}</text>", self.title).ok();
         write!(svg, "<text x=\"{middle_x}\" y=\"{}\" text-anchor=\"middle\">{}</text>", HEIGHT - 8.0, self.x.label)
             .ok();
-        write!(
-            svg,
-            "<text transform=\"translate(14 {middle_y}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-            self.y.label
-        )
-        .ok();
-        if self.line {
-            let path: Vec<String> = points.iter().map(|p| format!("{:.1} {:.1}", px(p.0), py(p.1))).collect();
-            write!(svg, "<path class=\"line\" d=\"M{}\"/>", path.join("L")).ok();
-        } else {
+        let turned = format!("translate(14 {middle_y}) rotate(-90)");
+        write!(svg, "<text transform=\"{turned}\" text-anchor=\"middle\">{}</text>", self.y.label).ok();
+    }
+
+    fn draw_legend(&self, svg: &mut String) {
+        let named = self.series.iter().enumerate().filter(|(_, s)| !s.label.is_empty());
+        for (line, (k, series)) in named.enumerate() {
+            let y = TOP + 14.0 + 16.0 * line as f64;
+            let x = WIDTH - RIGHT - 8.0;
+            let class = if series.style == Style::Dots || series.style == Style::Bars { "mark" } else { "line" };
+            let dash = if series.style == Style::Dashed { " dashed" } else { "" };
+            write!(svg, "<path class=\"{class} s{}{dash}\" d=\"M{:.1} {:.1}h16v2h-16z\"/>", k % 3, x - 16.0, y - 5.0)
+                .ok();
+            write!(
+                svg,
+                "<text x=\"{:.1}\" y=\"{y:.1}\" text-anchor=\"end\">{}</text>",
+                x - 22.0,
+                escape(&series.label)
+            )
+            .ok();
+        }
+    }
+}
+
+fn draw(style: Style, k: usize, points: &[(f64, f64)], frame: &Frame, svg: &mut String) {
+    match style {
+        Style::Line | Style::Dashed => {
+            let path: Vec<String> = points.iter().map(|p| format!("{:.1} {:.1}", p.0, p.1)).collect();
+            let dash = if style == Style::Dashed { " dashed" } else { "" };
+            write!(svg, "<path class=\"line s{k}{dash}\" d=\"M{}\"/>", path.join("L")).ok();
+        }
+        Style::Dots => {
+            let radius = if points.len() > 200 { 1.3 } else { 3.0 };
             for p in points {
-                write!(svg, "<circle class=\"mark\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\"/>", px(p.0), py(p.1)).ok();
+                write!(svg, "<circle class=\"mark s{k}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius}\"/>", p.0, p.1).ok();
             }
         }
-        svg + "</svg>"
+        Style::Bars => {
+            let width = points.windows(2).map(|w| w[1].0 - w[0].0).fold(f64::INFINITY, f64::min).clamp(2.0, 40.0) * 0.8;
+            for p in points {
+                let (x, height) = (p.0 - 0.5 * width, frame.py(0.0) - p.1);
+                write!(
+                    svg,
+                    "<rect class=\"mark s{k}\" x=\"{x:.1}\" y=\"{:.1}\" width=\"{width:.1}\" height=\"{height:.1}\"/>",
+                    p.1
+                )
+                .ok();
+            }
+        }
     }
 }
 
@@ -90,7 +182,7 @@ fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
 /// About five round values within bounds; whole powers of ten on a logarithmic axis.
 fn ticks(lo: f64, hi: f64, logarithmic: bool) -> Vec<f64> {
     let rough = (hi - lo) / 5.0;
-    let decade = landform_core::math::pow(10.0, landform_core::math::log10(rough).floor());
+    let decade = math::pow(10.0, math::log10(rough).floor());
     let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|k| k * decade).find(|s| *s >= rough).unwrap_or(rough);
     let step = if logarithmic { step.max(1.0).round() } else { step };
     let first = (lo / step - 1e-9).ceil() as i64;
@@ -103,4 +195,20 @@ fn label(t: f64, axis: &Axis) -> String {
     } else {
         format!("{}", (t * 1e6).round() / 1e6)
     }
+}
+
+/// A range as a bar with a mark for the value: the bar spans the middle half.
+pub(super) fn gauge(range: [f64; 2], value: f64, inside: Option<bool>) -> String {
+    const W: f64 = 150.0;
+    let (lo, hi) = (0.25 * W, 0.75 * W);
+    let class = match inside {
+        Some(true) => "inside",
+        Some(false) => "outside",
+        None => return String::new(),
+    };
+    let x = (lo + (value - range[0]) / (range[1] - range[0]) * (hi - lo)).clamp(4.0, W - 4.0);
+    format!(
+        "<svg class=\"gauge\" viewBox=\"0 0 {W} 16\" width=\"{W}\" height=\"16\" aria-hidden=\"true\"><line class=\"grid\" x1=\"0\" y1=\"8\" x2=\"{W}\" y2=\"8\"/><rect class=\"span\" x=\"{lo}\" y=\"4\" width=\"{}\" height=\"8\"/><circle class=\"{class}\" cx=\"{x:.1}\" cy=\"8\" r=\"5\"/></svg>",
+        hi - lo
+    )
 }

@@ -1,24 +1,26 @@
 //! Another cell size.
 
 use landform_core::Result;
-use landform_core::terrain::{HeightField, resample};
+use landform_core::terrain::{HeightField, Interpolation, resample};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Edit, Estimate, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The same ground on another raster: bilinear where cells shrink, means where they grow.
+/// The same ground on another raster: interpolated where cells shrink, means where they grow.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Resample {
     /// Distance between nodes; adjusted so that a whole number of cells fits.
     #[schemars(extend("x-above" = 0.0))]
     pub cell_size: Length,
+    /// Between the nodes, where cells shrink.
+    pub interpolation: Interpolation,
 }
 
 impl Default for Resample {
     fn default() -> Self {
-        Self { cell_size: Length::of(30.0) }
+        Self { cell_size: Length::of(30.0), interpolation: Interpolation::Linear }
     }
 }
 
@@ -29,7 +31,7 @@ impl Params for Resample {
 
 impl Edit<HeightField> for Resample {
     fn edit(&self, terrain: &mut HeightField, _: &Context) -> Result<()> {
-        *terrain = resample(terrain, &terrain.grid.with_cell_size(self.cell_size.si())?)?;
+        *terrain = resample(terrain, &terrain.grid.with_cell_size(self.cell_size.si())?, self.interpolation)?;
         Ok(())
     }
 

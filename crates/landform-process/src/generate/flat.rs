@@ -1,13 +1,13 @@
 //! Level ground.
 
 use landform_core::Result;
-use landform_core::terrain::HeightField;
+use landform_core::grid::Grid;
 use landform_core::units::Length;
-use landform_core::verb::{Context, Estimate, Generator, Params, Source};
+use landform_core::verb::{Context, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{raster, raster_estimate};
+use super::{OnGrid, generator_on_grid};
 
 /// Level ground on a raster.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -34,14 +34,14 @@ impl Params for Flat {
     const SOURCES: &'static [Source] = &[];
 }
 
-impl Generator<HeightField> for Flat {
-    fn generate(&self, _: &Context) -> Result<HeightField> {
-        let grid = raster(self.size, self.cell_size)?;
-        let elevation = vec![self.elevation.si(); grid.len()];
-        HeightField::new(grid, elevation)
+impl OnGrid for Flat {
+    fn frame(&self) -> ([Length; 2], Length) {
+        (self.size, self.cell_size)
     }
 
-    fn estimate(&self, _: &Context) -> Result<Estimate> {
-        raster_estimate(self.size, self.cell_size, 0)
+    fn elevations(&self, grid: &Grid, _: &Context) -> Result<Vec<f64>> {
+        Ok(vec![self.elevation.si(); grid.len()])
     }
 }
+
+generator_on_grid!(Flat);

@@ -1,27 +1,83 @@
 //! Starting surfaces.
 
+mod blend;
+mod faulting;
 mod flat;
+mod midpoint_displacement;
 mod noise;
+mod shape;
 mod spectral_fbm;
 mod stream_graph;
+mod surface;
 
+pub use blend::{Blend, BlendMode, Layer};
+pub use faulting::Faulting;
 pub use flat::Flat;
+pub use midpoint_displacement::MidpointDisplacement;
 pub use noise::Noise;
+pub use shape::{Form, Shape};
 pub use spectral_fbm::SpectralFbm;
 pub use stream_graph::StreamGraph;
+pub use surface::Surface;
 
 use landform_core::Result;
 use landform_core::grid::Grid;
+use landform_core::terrain::HeightField;
 use landform_core::units::Length;
-use landform_core::verb::Estimate;
+use landform_core::verb::{Context, Estimate, Params};
+
+/// A generator that can make its surface on any grid: as ground of its own, or as a layer of [`Blend`].
+pub(crate) trait OnGrid: Params {
+    /// Extent and distance between nodes when it stands alone.
+    fn frame(&self) -> ([Length; 2], Length);
+
+    /// Elevations on a grid, m.
+    fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>>;
+
+    /// Bytes of scratch that `nodes` need.
+    fn scratch(&self, nodes: u64) -> u64 {
+        8 * nodes
+    }
+}
+
+/// The surface of a generator on its own grid.
+fn alone(generator: &impl OnGrid, context: &Context) -> Result<HeightField> {
+    let (size, cell_size) = generator.frame();
+    let grid = raster(size, cell_size)?;
+    let elevations = generator.elevations(&grid, context)?;
+    HeightField::new(grid, elevations)
+}
+
+/// What it needs.
+fn alone_estimate(generator: &impl OnGrid) -> Result<Estimate> {
+    let (size, cell_size) = generator.frame();
+    let nodes = raster(size, cell_size)?.len() as u64;
+    Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent: size.map(Length::si) })
+}
+
+/// Implements `Generator<HeightField>` by [`OnGrid`].
+macro_rules! generator_on_grid {
+    ($name:ty) => {
+        impl landform_core::verb::Generator<landform_core::terrain::HeightField> for $name {
+            fn generate(
+                &self,
+                context: &landform_core::verb::Context,
+            ) -> landform_core::Result<landform_core::terrain::HeightField> {
+                super::alone(self, context)
+            }
+
+            fn estimate(
+                &self,
+                _: &landform_core::verb::Context,
+            ) -> landform_core::Result<landform_core::verb::Estimate> {
+                super::alone_estimate(self)
+            }
+        }
+    };
+}
+use generator_on_grid;
 
 /// Raster of a generator: `size` (east, north) in cells of `cell_size`.
 fn raster(size: [Length; 2], cell_size: Length) -> Result<Grid> {
     Grid::covering(size.map(Length::si), cell_size.si())
-}
-
-/// Needs of a raster with so many scratch values a node.
-fn raster_estimate(size: [Length; 2], cell_size: Length, scratch: u64) -> Result<Estimate> {
-    let nodes = raster(size, cell_size)?.len() as u64;
-    Ok(Estimate { nodes, bytes: nodes * 8 * (1 + scratch), extent: size.map(Length::si) })
 }

@@ -1,16 +1,16 @@
-//! Octaves of gradient noise.
+//! Octaves of noise.
 
-use landform_core::algo::noise::fbm;
-use landform_core::terrain::HeightField;
+use landform_core::algo::noise::{Basis, Fractal, FractalKind};
+use landform_core::grid::Grid;
 use landform_core::units::Length;
-use landform_core::verb::{Context, Estimate, Generator, Params, Source};
+use landform_core::verb::{Context, Params, Source};
 use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{raster, raster_estimate};
+use super::{OnGrid, generator_on_grid};
 
-/// Rolling ground from octaves of gradient noise. Waves are in metres: a finer cell adds detail and moves nothing.
+/// Ground from octaves of noise. Waves are in metres: a finer cell adds detail and moves nothing.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Noise {
@@ -28,12 +28,22 @@ pub struct Noise {
     /// Length of the coarsest waves.
     #[schemars(extend("x-above" = 0.0))]
     pub wavelength: Length,
-    /// Number of octaves, each half as long; octaves below two cells are left out.
+    /// Number of octaves, each finer than the one before by the lacunarity; octaves below two cells are left out.
     #[schemars(extend("x-min" = 1, "x-max" = 24))]
     pub octaves: u32,
-    /// Hurst exponent: each octave is 2^-H times as high as the one before. 1 is smooth, 0 is rough.
+    /// Hurst exponent: each octave is lacunarity^-H times as high as the one before. 1 is smooth, 0 is rough.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub hurst: f64,
+    /// Each octave's waves are so many times shorter than those of the one before.
+    #[schemars(extend("x-min" = 1.1, "x-max" = 10.0))]
+    pub lacunarity: f64,
+    /// What is summed.
+    pub basis: Basis,
+    /// How octaves are put together.
+    pub fractal: FractalKind,
+    /// Distance by which the ground is displaced sideways by noise of the same waves, which winds ridges and valleys.
+    #[schemars(extend("x-min" = 0.0))]
+    pub warp: Length,
 }
 
 impl Default for Noise {
@@ -46,35 +56,73 @@ impl Default for Noise {
             wavelength: Length::of(5_000.0),
             octaves: 12,
             hurst: 0.9,
+            lacunarity: 2.0,
+            basis: Basis::Perlin,
+            fractal: FractalKind::Fbm,
+            warp: Length::of(0.0),
         }
     }
 }
 
 impl Params for Noise {
     const NAME: &'static str = "noise";
-    const SOURCES: &'static [Source] = &[Source {
-        authors: "Perlin (2002)",
-        title: "Improving noise, ACM Transactions on Graphics 21(3)",
-        doi: "10.1145/566654.566636",
-    }];
+    const SOURCES: &'static [Source] = &[
+        Source {
+            authors: "Perlin (2002)",
+            title: "Improving noise, ACM Transactions on Graphics 21(3)",
+            doi: "10.1145/566654.566636",
+        },
+        Source {
+            authors: "Ebert, Musgrave, Peachey, Perlin & Worley (2003)",
+            title: "Texturing and Modeling: A Procedural Approach, third edition, Morgan Kaufmann",
+            doi: "",
+        },
+    ];
 }
 
-impl Generator<HeightField> for Noise {
-    fn generate(&self, context: &Context) -> Result<HeightField> {
-        let grid = raster(self.size, self.cell_size)?;
+impl OnGrid for Noise {
+    fn frame(&self) -> ([Length; 2], Length) {
+        (self.size, self.cell_size)
+    }
+
+    fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
         let wave = self.wavelength.si();
         let finest = 2.0 * grid.spacing[0].max(grid.spacing[1]);
-        let fitting = math::log2(wave / finest).floor().max(0.0) as u32 + 1;
-        let gain = math::pow(2.0, -self.hurst);
-        let elevation = parallel::map(grid.len(), |i| {
-            let [x, y] = grid.position(i);
-            let n = fbm(context.seed, x / wave, y / wave, self.octaves.min(fitting), 2.0, gain);
-            self.elevation.si() + self.amplitude.si() * n
+        let fitting = (math::log(wave / finest) / math::log(self.lacunarity) + 1e-9).floor().max(0.0) as u32 + 1;
+        let fractal = Fractal {
+            basis: self.basis,
+            kind: self.fractal,
+            octaves: self.octaves.min(fitting),
+            lacunarity: self.lacunarity,
+            gain: math::pow(self.lacunarity, -self.hurst),
+        };
+        let bend = Fractal {
+            basis: Basis::Perlin,
+            kind: FractalKind::Fbm,
+            octaves: 3.min(fitting),
+            lacunarity: 2.0,
+            gain: 0.5,
+        };
+        let (mean, amplitude, warp) = (self.elevation.si(), self.amplitude.si(), self.warp.si() / wave);
+        let cols = grid.shape.cols;
+        let mut elevations = vec![0.0; grid.len()];
+        parallel::for_rows_mut(&mut elevations, cols, |row, out| {
+            let at = |col: usize| grid.position(row * cols + col);
+            let mut xs: Vec<f64> = (0..cols).map(|c| at(c)[0] / wave).collect();
+            let mut ys: Vec<f64> = (0..cols).map(|c| at(c)[1] / wave).collect();
+            if warp > 0.0 {
+                let mut shift = [vec![0.0; cols], vec![0.0; cols]];
+                for (k, shift) in shift.iter_mut().enumerate() {
+                    bend.along(context.seed.named("warp").with(k as u64), &xs, &ys, shift);
+                }
+                xs.iter_mut().zip(&shift[0]).for_each(|(x, s)| *x += warp * s);
+                ys.iter_mut().zip(&shift[1]).for_each(|(y, s)| *y += warp * s);
+            }
+            fractal.along(context.seed, &xs, &ys, out);
+            out.iter_mut().for_each(|v| *v = mean + amplitude * *v);
         });
-        HeightField::new(grid, elevation)
-    }
-
-    fn estimate(&self, _: &Context) -> Result<Estimate> {
-        raster_estimate(self.size, self.cell_size, 0)
+        Ok(elevations)
     }
 }
+
+generator_on_grid!(Noise);

@@ -2,11 +2,16 @@
 
 use landform_core::terrain::{HeightField, Mesh};
 use landform_io::export::{
-    MeasureSummary, WriteFeatures, WriteHeightmap, WriteMesh, WritePicture, WriteRaster, WriteReport,
+    WriteContours, WriteFeatures, WriteHeightmap, WriteMaps, WriteMesh, WritePicture, WriteRaster, WriteReport,
 };
 use landform_io::import::ElevationFile;
-use landform_process::edit::{Add, Drainage, FillDepressions, Resample, ToHeightField};
-use landform_process::generate::{Flat, Noise, SpectralFbm, StreamGraph};
+use landform_io::measure::{
+    MeasureCoast, MeasureDrainage, MeasureHypsometry, MeasureLandscape, MeasureSpectrum, MeasureSummary, MeasureSurface,
+};
+use landform_process::edit::{Add, Derive, Drainage, FillDepressions, Mask, Resample, ToHeightField, Warp};
+use landform_process::generate::{
+    Blend, Faulting, Flat, MidpointDisplacement, Noise, Shape, SpectralFbm, StreamGraph, Surface,
+};
 use landform_process::hillslope::LinearDiffusion;
 use landform_process::stream_power::StreamPower;
 use landform_process::uplift::Uplift;
@@ -17,16 +22,24 @@ use super::Stage;
 pub static STAGES: &[Stage] = &[
     Stage::generator::<StreamGraph, Mesh>(),
     Stage::generator::<ElevationFile, HeightField>(),
+    Stage::generator::<Faulting, HeightField>(),
     Stage::generator::<Flat, HeightField>(),
+    Stage::generator::<MidpointDisplacement, HeightField>(),
     Stage::generator::<Noise, HeightField>(),
+    Stage::generator::<Shape, HeightField>(),
     Stage::generator::<SpectralFbm, HeightField>(),
+    Stage::generator::<Surface, HeightField>(),
     Stage::edit::<Add, HeightField>(),
     Stage::edit::<Add, Mesh>(),
+    Stage::edit::<Blend, HeightField>(),
+    Stage::edit::<Derive, HeightField>(),
     Stage::edit::<Drainage, HeightField>(),
     Stage::edit::<Drainage, Mesh>(),
     Stage::edit::<FillDepressions, HeightField>(),
     Stage::edit::<FillDepressions, Mesh>(),
+    Stage::edit::<Mask, HeightField>(),
     Stage::edit::<Resample, HeightField>(),
+    Stage::edit::<Warp, HeightField>(),
     Stage::convert::<ToHeightField, Mesh, HeightField>(),
     Stage::process::<Uplift, HeightField>(),
     Stage::process::<Uplift, Mesh>(),
@@ -36,10 +49,26 @@ pub static STAGES: &[Stage] = &[
     Stage::process::<LinearDiffusion, Mesh>(),
     Stage::measure::<MeasureSummary, HeightField>(),
     Stage::measure::<MeasureSummary, Mesh>(),
+    Stage::measure::<MeasureCoast, HeightField>(),
+    Stage::measure::<MeasureCoast, Mesh>(),
+    Stage::measure::<MeasureDrainage, HeightField>(),
+    Stage::measure::<MeasureDrainage, Mesh>(),
+    Stage::measure::<MeasureHypsometry, HeightField>(),
+    Stage::measure::<MeasureHypsometry, Mesh>(),
+    Stage::measure::<MeasureLandscape, HeightField>(),
+    Stage::measure::<MeasureLandscape, Mesh>(),
+    Stage::measure::<MeasureSpectrum, HeightField>(),
+    Stage::measure::<MeasureSpectrum, Mesh>(),
+    Stage::measure::<MeasureSurface, HeightField>(),
+    Stage::measure::<MeasureSurface, Mesh>(),
     Stage::export::<WriteRaster, HeightField>(),
     Stage::export::<WriteHeightmap, HeightField>(),
+    Stage::export::<WriteContours, HeightField>(),
+    Stage::export::<WriteContours, Mesh>(),
     Stage::export::<WriteFeatures, HeightField>(),
     Stage::export::<WriteFeatures, Mesh>(),
+    Stage::export::<WriteMaps, HeightField>(),
+    Stage::export::<WriteMaps, Mesh>(),
     Stage::export::<WriteMesh, Mesh>(),
     Stage::export::<WriteMesh, HeightField>(),
     Stage::export::<WritePicture, HeightField>(),

@@ -9,7 +9,8 @@ use landform_core::grid::Shape;
 use landform_core::units::YEAR;
 use landform_core::verb::{CancelToken, Measure, MemoryOutput, Outcome, Stopped};
 use landform_core::{Error, Result, parallel};
-use landform_io::export::{MeasureSummary, Measured, WritePicture};
+use landform_io::export::WritePicture;
+use landform_io::measure::{MeasureSummary, Measured};
 use landform_io::render::Picture;
 
 use super::{AnyTerrain, Options, Override, Ran, Recipe};

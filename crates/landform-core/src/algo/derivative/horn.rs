@@ -21,12 +21,44 @@ impl Gradient {
     pub fn slope(self) -> f64 {
         (self.x * self.x + self.y * self.y).sqrt()
     }
+
+    /// Compass direction that the slope faces, radians clockwise from north; NaN on level ground.
+    pub fn aspect(self) -> f64 {
+        if self.x == 0.0 && self.y == 0.0 {
+            return f64::NAN;
+        }
+        let a = math::atan2(-self.x, -self.y);
+        if a < 0.0 { a + std::f64::consts::TAU } else { a }
+    }
 }
 
-/// The gradient at a node; NaN on nodata.
-pub fn gradient(grid: &Grid, values: &[f64], node: usize) -> Gradient {
+/// The nine values around a node, row by row from the north-west. A missing one (beyond the border, or nodata) takes the value that the
+/// plane through the centre and the opposite neighbour gives; all are NaN on nodata.
+pub(super) fn window(grid: &Grid, values: &[f64], node: usize) -> [f64; 9] {
     let cell = grid.shape.cell(node);
     let z = values[node];
+    if z.is_nan() {
+        return [f64::NAN; 9];
+    }
+    let cols = grid.shape.cols;
+    let inner = cell.row > 0 && cell.col > 0 && cell.row + 1 < grid.shape.rows && cell.col + 1 < cols;
+    if inner {
+        let (up, down) = (node - cols, node + cols);
+        let all = [
+            values[up - 1],
+            values[up],
+            values[up + 1],
+            values[node - 1],
+            z,
+            values[node + 1],
+            values[down - 1],
+            values[down],
+            values[down + 1],
+        ];
+        if all.iter().all(|v| !v.is_nan()) {
+            return all;
+        }
+    }
     let at = |dr: isize, dc: isize| -> Option<f64> {
         let row = cell.row.checked_add_signed(dr).filter(|&r| r < grid.shape.rows)?;
         let col = cell.col.checked_add_signed(dc).filter(|&c| c < grid.shape.cols)?;
@@ -38,9 +70,12 @@ pub fn gradient(grid: &Grid, values: &[f64], node: usize) -> Gradient {
         |dr: isize, dc: isize, plane: f64| at(dr, dc).or_else(|| at(-dr, -dc).map(|o| 2.0 * z - o)).unwrap_or(plane);
     let [nw, ne] = [corner(-1, -1, n + w - z), corner(-1, 1, n + e - z)];
     let [sw, se] = [corner(1, -1, s + w - z), corner(1, 1, s + e - z)];
-    if z.is_nan() {
-        return Gradient { x: f64::NAN, y: f64::NAN };
-    }
+    [nw, n, ne, w, z, e, sw, s, se]
+}
+
+/// The gradient at a node; NaN on nodata.
+pub fn gradient(grid: &Grid, values: &[f64], node: usize) -> Gradient {
+    let [nw, n, ne, w, _, e, sw, s, se] = window(grid, values, node);
     Gradient {
         x: ((ne + 2.0 * e + se) - (nw + 2.0 * w + sw)) / (8.0 * grid.spacing[0]),
         y: ((nw + 2.0 * n + ne) - (sw + 2.0 * s + se)) / (8.0 * grid.spacing[1]),

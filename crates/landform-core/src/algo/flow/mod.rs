@@ -23,12 +23,15 @@
 //! # Checked by
 //! `tests`: every node drains, area is conserved, levels equal Priority-Flood exactly, numbering and threads do not matter.
 
+mod infinity;
 mod labels;
 mod multiple;
 mod order;
 mod passes;
 mod pits;
 mod tree;
+
+pub use infinity::{Direction, direction};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -13,21 +13,26 @@ use crate::grid::Domain;
 use crate::{math, parallel};
 
 impl Flow {
-    /// Replaces `amount` (what each node holds itself) by what passes through each node, shared among all lower neighbours.
-    /// To be called after [`Flow::route`] over the same elevation. **Cost** O(n log n).
-    pub fn accumulate_multiple<D: Domain>(&self, domain: &D, elevation: &[f64], exponent: f64, amount: &mut [f64]) {
-        let level = self.water_level(elevation);
+    /// Nodes from the highest water level down; of equal levels donors come first.
+    pub(super) fn highest_first(&self, level: &[f64]) -> Vec<u32> {
         let mut place = vec![0u32; level.len()];
         for (k, &i) in self.order.iter().enumerate() {
             place[i as usize] = k as u32;
         }
-        let mut order: Vec<u32> = parallel::map(level.len(), |i| i as u32);
-        order.sort_unstable_by(|&a, &b| {
+        let mut order = self.order.clone();
+        parallel::sort_by(&mut order, |&a, &b| {
             let (a, b) = (a as usize, b as usize);
             level[b].total_cmp(&level[a]).then(place[a].cmp(&place[b]))
         });
+        order
+    }
+
+    /// Replaces `amount` (what each node holds itself) by what passes through each node, shared among all lower neighbours.
+    /// To be called after [`Flow::route`] over the same elevation. **Cost** O(n log n).
+    pub fn accumulate_multiple<D: Domain>(&self, domain: &D, elevation: &[f64], exponent: f64, amount: &mut [f64]) {
+        let level = self.water_level(elevation);
         let mut shares: Vec<(usize, f64)> = Vec::new();
-        for &i in &order {
+        for &i in &self.highest_first(&level) {
             let i = i as usize;
             let r = self.receiver[i] as usize;
             if r == i {

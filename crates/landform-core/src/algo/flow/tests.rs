@@ -217,3 +217,72 @@ fn water_on_a_cone_spreads_evenly_and_not_along_eight_rays() {
     let (one, all) = (spread(&single), spread(&shared));
     assert!(all < 0.4 && one > 2.0 * all, "single {one}, multiple {all}");
 }
+
+/// Specific drainage area by D-infinity of a surface on cells of 1 m with open border.
+fn infinity_area(n: usize, sink: bool, surface: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    let grid = Grid::new(Shape::new(n, n), [1.0, 1.0]).unwrap();
+    let mut domain = RasterDomain::new(&grid, &[]);
+    if sink {
+        let mut status = domain.status().to_vec();
+        status[n * n / 2] = BASE_LEVEL;
+        domain.set_status(status);
+    }
+    let middle = (n / 2) as f64;
+    let z: Vec<f64> = (0..n * n).map(|i| grid.position(i)).map(|[x, y]| surface(x - middle, y - middle)).collect();
+    let (mut flow, mut area) = (Flow::new(), node_areas(&domain));
+    flow.route(&domain, &z, &mut area);
+    let mut area = node_areas(&domain);
+    flow.accumulate_infinity(&domain, &grid, &z, &mut area);
+    area
+}
+
+#[test]
+fn infinity_spreads_a_cone_as_it_should() {
+    // Validation notes 2.14: outward a = r/2, inward a = (R² − r²)/(2 r).
+    let n = 201;
+    let r = |i: usize| crate::math::hypot((i % n) as f64 - 100.0, (i / n) as f64 - 100.0);
+    let outward = infinity_area(n, false, |x, y| -crate::math::hypot(x, y));
+    let inward = infinity_area(n, true, |x, y| {
+        let r = crate::math::hypot(x, y);
+        if r <= 95.0 { r } else { 190.0 - r }
+    });
+    // A cell shows the flow the width of its larger step: water at an angle crosses one column (or row) at a time.
+    let width = |i: usize| {
+        let (x, y) = ((i % n) as f64 - 100.0, (i / n) as f64 - 100.0);
+        x.abs().max(y.abs()) / crate::math::hypot(x, y)
+    };
+    let error = |area: &[f64], ring: std::ops::Range<f64>, expected: &dyn Fn(f64) -> f64| {
+        let all: Vec<f64> =
+            (0..n * n).filter(|&i| ring.contains(&r(i))).map(|i| area[i] / width(i) / expected(r(i)) - 1.0).collect();
+        let mean = all.iter().sum::<f64>() / all.len() as f64;
+        let mut amounts: Vec<f64> = all.iter().map(|e| e.abs()).collect();
+        amounts.sort_by(f64::total_cmp);
+        (mean, amounts[amounts.len() / 2])
+    };
+    let (mean, spread) = error(&outward, 40.0..90.0, &|r| r / 2.0);
+    // Single nodes keep what the discrete tip gave them.
+    assert!(mean.abs() < 0.01 && spread < 0.1, "outward {mean} {spread}");
+    let (mean, spread) = error(&inward, 30.0..80.0, &|r| (95.0 * 95.0 - r * r) / (2.0 * r));
+    assert!(mean.abs() < 0.03 && spread < 0.1, "inward {mean} {spread}");
+}
+
+#[test]
+fn infinity_on_a_plane_counts_the_way_to_the_ridge() {
+    // A roof whose ridge runs through the middle at any azimuth: a = distance to the ridge.
+    for azimuth in [0.0_f64, 0.3, 0.6, 0.785, 1.2] {
+        let (c, s) = (crate::math::cos(azimuth), crate::math::sin(azimuth));
+        let n = 301;
+        let area = infinity_area(n, false, |x, y| -(c * x + s * y).abs());
+        let mut errors = Vec::new();
+        for i in 0..n * n {
+            let (x, y) = ((i % n) as f64 - 150.0, 150.0 - (i / n) as f64);
+            let (across, along) = (c * x + s * y, -s * x + c * y);
+            if across > 40.0 && across < 90.0 && along.abs() < 50.0 {
+                errors.push(area[i] / (across * c.abs().max(s.abs())) - 1.0);
+            }
+        }
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        let worst = errors.iter().fold(0.0_f64, |m, e| m.max((e - mean).abs()));
+        assert!(mean.abs() < 0.03 && worst < 0.06, "{azimuth}: {mean} {worst}");
+    }
+}

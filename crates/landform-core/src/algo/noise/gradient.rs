@@ -34,17 +34,42 @@ const DIRECTIONS: [[f64; 2]; 16] = {
 /// Gradient noise at (x, y), lattice spacing 1; in about [−1, 1], mean 0.
 pub fn gradient_noise(seed: Seed, x: f64, y: f64) -> f64 {
     let (x0, y0) = (floor(x), floor(y));
-    let (fx, fy) = (x - x0, y - y0);
-    let corner = |dx: f64, dy: f64| {
-        let key =
-            ((x0 + dx) as i64 as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((y0 + dy) as i64 as u64).rotate_left(32);
-        let g = DIRECTIONS[(seed.bits(key) >> 60) as usize];
-        g[0] * (fx - dx) + g[1] * (fy - dy)
-    };
+    let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
+    within(corners.map(|(dx, dy)| direction(seed, x0 + dx, y0 + dy)), x - x0, y - y0)
+}
+
+/// Gradient noise at many points, lattice spacing 1. The gradients of a lattice cell are kept while points stay in it, so points in
+/// line cost a few operations each; the bits are those of [`gradient_noise`].
+pub(super) fn gradient_noise_along(seed: Seed, xs: &[f64], ys: &[f64], out: &mut [f64]) {
+    let mut cell = [f64::NAN; 2];
+    let mut g = [[0.0; 2]; 4];
+    for ((&x, &y), out) in xs.iter().zip(ys).zip(out) {
+        let (x0, y0) = (floor(x), floor(y));
+        if cell != [x0, y0] {
+            let east = cell == [x0 - 1.0, y0];
+            cell = [x0, y0];
+            g = if east {
+                [g[1], direction(seed, x0 + 1.0, y0), g[3], direction(seed, x0 + 1.0, y0 + 1.0)]
+            } else {
+                [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(dx, dy)| direction(seed, x0 + dx, y0 + dy))
+            };
+        }
+        *out = within(g, x - x0, y - y0);
+    }
+}
+
+fn direction(seed: Seed, x: f64, y: f64) -> [f64; 2] {
+    let key = (x as i64 as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (y as i64 as u64).rotate_left(32);
+    DIRECTIONS[(seed.bits(key) >> 60) as usize]
+}
+
+/// Noise in a lattice cell from the gradients at its corners (south-west, south-east, north-west, north-east).
+fn within(g: [[f64; 2]; 4], fx: f64, fy: f64) -> f64 {
+    let dot = |g: [f64; 2], dx: f64, dy: f64| g[0] * (fx - dx) + g[1] * (fy - dy);
     let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     let (u, v) = (fade(fx), fade(fy));
     std::f64::consts::SQRT_2
-        * lerp(lerp(corner(0.0, 0.0), corner(1.0, 0.0), u), lerp(corner(0.0, 1.0), corner(1.0, 1.0), u), v)
+        * lerp(lerp(dot(g[0], 0.0, 0.0), dot(g[1], 1.0, 0.0), u), lerp(dot(g[2], 0.0, 1.0), dot(g[3], 1.0, 1.0), u), v)
 }
 
 /// Octaves of gradient noise, each `lacunarity` times finer and `gain` times weaker; in about [−1, 1].

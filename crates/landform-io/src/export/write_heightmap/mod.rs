@@ -5,7 +5,7 @@ mod engines;
 use std::path::Path;
 
 use landform_core::grid::{Grid, Shape};
-use landform_core::terrain::{HeightField, NodeSurface, resample};
+use landform_core::terrain::{HeightField, Interpolation, NodeSurface, resample};
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
@@ -168,7 +168,8 @@ impl WriteHeightmap {
         let source = landscape.terrain;
         let grid = self.grid(&source.grid)?;
         let from = [source.grid.shape.cols, source.grid.shape.rows];
-        let mut field = if grid == source.grid { source.clone() } else { resample(source, &grid)? };
+        let mut field =
+            if grid == source.grid { source.clone() } else { resample(source, &grid, Interpolation::Linear)? };
         let finite = field.elevation().iter().copied().filter(|z| z.is_finite());
         let (least, mut greatest) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
         if greatest - least < FLAT {

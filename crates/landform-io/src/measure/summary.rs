@@ -7,7 +7,7 @@ use landform_core::verb::{Measure, Params, Source, relative_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Drawable;
+use crate::export::Drawable;
 
 /// Measures elevations, slopes, hypsometry and the slope-area relation, and writes them as JSON.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]

@@ -1,0 +1,97 @@
+//! `landform compare`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use landform::core::terrain::{HeightField, Interpolation, resample};
+use landform::core::units::Length;
+use landform::io::files::write_whole;
+use landform::io::format::encode_png;
+use landform::io::report::compare_reports;
+
+use crate::ground::{self, Scale};
+use crate::show_error::Failure;
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// The landscape before.
+    a: PathBuf,
+    /// The landscape after; on another raster of the same place it is brought to A's.
+    b: PathBuf,
+    /// Writes the comparison: one HTML file that opens offline.
+    #[arg(long)]
+    report: Option<PathBuf>,
+    /// Writes all numbers as JSON.
+    #[arg(long)]
+    json: Option<PathBuf>,
+    /// Writes the map of differences (.png).
+    #[arg(long)]
+    map: Option<PathBuf>,
+    /// Level of the sea: ground at or under it is left out of what is measured of each.
+    #[arg(long)]
+    sea_level: Option<String>,
+    #[command(flatten)]
+    scale: Scale,
+}
+
+pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
+    let sea_level = args.sea_level.as_deref().map(Length::parse).transpose()?.map(Length::si);
+    let (a, _) = ground::load(&args.a, &args.scale)?;
+    let (b, _) = ground::load(&args.b, &args.scale)?;
+    let b = onto(&a, b)?;
+    let names = [ground::name(&args.a), ground::name(&args.b)];
+    let found = compare_reports([&names[0], &names[1]], &a, &b, sea_level)?;
+    let c = &found.comparison;
+    say!("{} nodes with data in both, B - A:", c.nodes);
+    say!("  root mean square {:.4} m, mean {:.4} m, mean amount {:.4} m", c.rmse, c.mean, c.mean_amount);
+    say!(
+        "  greatest cut {:.3} m, greatest raise {:.3} m, {:.2} % unchanged",
+        c.greatest_cut,
+        c.greatest_raise,
+        100.0 * c.unchanged
+    );
+    say!("  gone {:.6} km3, added {:.6} km3, net {:.6} km3", c.eroded / 1e9, c.deposited / 1e9, c.net / 1e9);
+    say!("\n{:<37} {:>10} {:>10}  {}", "measure", "A", "B", "on real ground");
+    for (x, y) in found.a.card.iter().zip(&found.b.card) {
+        let value = |v: f64, inside: Option<bool>| format!("{v:.4}{}", if inside == Some(false) { "!" } else { " " });
+        say!(
+            "{:<37} {:>11} {:>11} {:.2} to {:.2}",
+            x.name,
+            value(x.value, x.inside),
+            value(y.value, y.inside),
+            x.natural[0],
+            x.natural[1]
+        );
+    }
+    say!("\nA: {}. B: {}.", found.a.verdict.title, found.b.verdict.title);
+    if let Some(path) = &args.json {
+        write_whole(path, (serde_json::to_string_pretty(&found).unwrap_or_default() + "\n").as_bytes())?;
+        say!("{}", path.display());
+    }
+    if let Some(path) = &args.report {
+        write_whole(path, found.html.as_bytes())?;
+        say!("{}", path.display());
+    }
+    if let Some(path) = &args.map {
+        write_whole(path, &encode_png(&found.map.pixels, found.map.shape)?)?;
+        say!("{}", path.display());
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// B on A's raster, where both say that they lie in the same place.
+fn onto(a: &HeightField, b: HeightField) -> landform::core::Result<HeightField> {
+    let same =
+        a.grid.shape == b.grid.shape && (0..2).all(|k| (a.grid.spacing[k] / b.grid.spacing[k] - 1.0).abs() < 1e-6);
+    if same || a.grid.georeference.epsg != b.grid.georeference.epsg {
+        return Ok(b);
+    }
+    let [ea, eb] = [a.grid.extent(), b.grid.extent()];
+    let overlap = (0..2).all(|k| {
+        let range = |o: f64, e: f64| if k == 0 { (o, o + e) } else { (o - e, o) };
+        let (al, ah) = range(a.grid.origin[k], ea[k]);
+        let (bl, bh) = range(b.grid.origin[k], eb[k]);
+        ah.min(bh) - al.max(bl) > 0.5 * (ah - al)
+    });
+    if overlap { resample(&b, &a.grid, Interpolation::Linear) } else { Ok(b) }
+}

@@ -1,0 +1,143 @@
+//! The report card: how natural a landscape's numbers are.
+//!
+//! # Method
+//! Each measure has the range that it takes on real ground. Five of them tell erosion's ground from noise; a landscape straight out of the stream-power law gives itself away
+//! by fits that are too good. The verdict counts those; the other lines are for reading.
+//!
+//! # Sources
+//! Ranges: least and greatest value over nine real elevation models of 10 m to 200 m cells (18 places for the integral, Hack's exponent, β, θ and the spectrum), measured by public
+//! tools with these definitions; the same on synthetic surfaces. docs/real_ground tells of each. That of χ is wider by
+//! what two tools differ by. A small sample: wide ranges, no law.
+
+use serde::{Deserialize, Serialize};
+
+use super::Metrics;
+
+/// One line of the card.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CardLine {
+    /// Name of the measure.
+    pub name: String,
+    /// Its value; NaN if it could not be measured.
+    pub value: f64,
+    /// Least and greatest value on real ground.
+    pub natural: [f64; 2],
+    /// Whether the value lies within; none if it could not be measured.
+    pub inside: Option<bool>,
+    /// Whether the verdict asks for this line.
+    pub decides: bool,
+    /// What it means, in a sentence.
+    pub meaning: String,
+    /// Where the range comes from.
+    pub source: String,
+}
+
+/// What the card comes to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// In a few words.
+    pub title: String,
+    /// Why.
+    pub reason: String,
+}
+
+const NINE: &str = "9 real places";
+const EIGHTEEN: &str = "18 real places";
+
+/// (name, value, range, decides, meaning, source) of every line.
+type Row = (&'static str, fn(&Metrics) -> f64, [f64; 2], bool, &'static str, &'static str);
+
+#[rustfmt::skip]
+const ROWS: &[Row] = &[
+    ("Hypsometric integral", |m| m.hypsometry.integral, [0.08, 0.55], false, "Share of the block between lowest and highest point that is left: high when young, low when worn.", EIGHTEEN),
+    ("Skew of the hypsometric curve", |m| m.hypsometry.curve_skew, [0.37, 1.01], false, "How much relief stands on a wide low plain; noise has too little.", NINE),
+    ("Share of ground in sinks", |m| m.form.sinks, [0.0, 0.12], true, "Ground that would be under water if every hollow filled: rivers drain hollows, noise is a fifth to a third hollow.", EIGHTEEN),
+    ("Sink asymmetry", |m| m.form.sink_asymmetry, [0.23, 1.0], true, "Hollows upside down against upright: valleys branch and summits do not, noise is alike both ways (0).", EIGHTEEN),
+    ("Peaks per 1000 nodes", |m| m.form.peaks, [0.0, 15.0], true, "Local summits: hillslopes leave few, noise and bare stream-power ground have twenty and more.", EIGHTEEN),
+    ("Spectral exponent, short waves", |m| m.spectrum.as_ref().map_or(f64::NAN, |s| s.short_waves.exponent), [3.7, 5.3], true, "How fast relief fades towards the finest waves: hillslopes smooth them, noise keeps them.", EIGHTEEN),
+    ("Hurst exponent of the finest ground", |m| m.variogram.hurst_near, [0.82, 0.96], true, "Smoothness over 1 to 4 nodes: near 1 on slopes that water and creep have planed.", EIGHTEEN),
+    ("Spectral exponent", |m| m.spectrum.as_ref().map_or(f64::NAN, |s| s.surface.exponent), [2.4, 5.1], false, "Falloff of relief with wave number over all waves, 2H + 2 for fractional Brownian ground.", EIGHTEEN),
+    ("Hurst exponent by the variogram", |m| m.variogram.hurst, [0.64, 0.89], false, "Growth of height differences with distance over 1 to 32 nodes.", NINE),
+    ("Power along axes over diagonals", |m| m.spectrum.as_ref().map_or(f64::NAN, |s| s.axes_over_diagonals), [0.60, 1.61], false, "1 if the grid left no trace; a range that runs one way moves it too.", NINE),
+    ("Skew of the Laplacian", |m| m.form.laplacian_skew, [-1.86, 1.11], false, "Below 0 where ridges are sharper than valleys, above where valleys are.", NINE),
+    ("Hack's exponent", |m| m.network.scaling.hack_exponent, [0.31, 0.58], false, "Growth of a stream's length with its drainage area: basins grow longer than wide above 0.5.", EIGHTEEN),
+    ("Area exceedance exponent", |m| m.network.scaling.area_exponent, [0.47, 0.74], false, "How rare large drainage areas are; this estimate reads 0.045 high.", EIGHTEEN),
+    ("Concavity of rivers", |m| m.network.slope_area.concavity, [0.17, 1.7], false, "How fast rivers flatten as they grow; 0.4 to 0.6 in even rock and uplift.", EIGHTEEN),
+    ("R² of slope against area", |m| m.network.slope_area.r2, [0.25, 0.97], false, "Above 0.99 no hillslope, sediment or change of rock disturbs the law: too perfect.", NINE),
+    ("R² of elevation against chi", |m| m.network.chi.as_ref().map_or(f64::NAN, |c| c.r2), [0.38, 0.93], false, "Above 0.99 every river of the largest basin is in balance: too perfect. A high value alone proves nothing.", NINE),
+    ("Bifurcation ratio", |m| m.network.horton.bifurcation, [3.0, 6.0], false, "Streams of one order for each of the next; almost any network has it, random ones too.", "Horton (1945)"),
+    ("Drainage density at 1 km², 1/km", |m| m.network.drainage_density.unwrap_or(f64::NAN), [0.61, 0.82], false, "Length of channels that drain 1 km² or more.", NINE),
+    ("Share of slopes at repose", |m| m.surface.as_ref().map_or(f64::NAN, |s| s.talus_share), [0.0, 0.16], false, "Ground within 10 % of 33 degrees: scree and slip faces.", NINE),
+];
+
+/// The card of a landscape.
+pub fn report_card(metrics: &Metrics) -> Vec<CardLine> {
+    ROWS.iter()
+        .map(|&(name, value, natural, decides, meaning, source)| {
+            let value = value(metrics);
+            // A rounding error at the end of a range is inside.
+            let inside = value.is_finite().then(|| value >= natural[0] - 5e-4 && value <= natural[1] + 5e-4);
+            CardLine {
+                name: name.into(),
+                value,
+                natural,
+                inside,
+                decides,
+                meaning: meaning.into(),
+                source: source.into(),
+            }
+        })
+        .collect()
+}
+
+/// What the card of a landscape comes to.
+pub fn verdict(metrics: &Metrics, card: &[CardLine]) -> Verdict {
+    let say = |title: &str, reason: String| Verdict { title: title.into(), reason };
+    let deciding: Vec<&CardLine> = card.iter().filter(|l| l.decides && l.inside.is_some()).collect();
+    let outside: Vec<&str> = deciding.iter().filter(|l| l.inside == Some(false)).map(|l| l.name.as_str()).collect();
+    let chi = metrics.network.chi.as_ref().map_or(0.0, |c| c.r2);
+    let [dx, dy] = metrics.elevations.spacing;
+    let cell = (dx * dy).sqrt();
+    let scale = if (5.0..=500.0).contains(&cell) {
+        String::new()
+    } else {
+        format!(" The ranges come from cells of 10 m to 200 m; at {cell:.3} m they say little.")
+    };
+    let of = deciding.len();
+    if deciding.len() < 4 {
+        return say(
+            "Too little ground to tell",
+            format!("Only {of} of the five deciding measures could be taken.{scale}"),
+        );
+    }
+    if metrics.network.slope_area.r2 > 0.99 && chi > 0.99 {
+        return say(
+            "Too perfect",
+            format!(
+                "Slope against area (R² {:.4}) and elevation against chi (R² {chi:.4}) follow the law of river erosion better than any real ground: hillslopes, sediment or varied rock are missing.{scale}",
+                metrics.network.slope_area.r2
+            ),
+        );
+    }
+    match outside.len() {
+        0 => say(
+            "Like natural ground",
+            format!("All {of} measures that tell eroded ground from noise lie in their natural ranges.{scale}"),
+        ),
+        1 => say(
+            "Like natural ground, but for one thing",
+            format!("Of {of} deciding measures one lies outside its natural range: {}.{scale}", outside[0]),
+        ),
+        2 => say(
+            "Unusual",
+            format!(
+                "Of {of} deciding measures two lie outside their natural ranges: {}.{scale}",
+                outside.join(" and ")
+            ),
+        ),
+        n => say(
+            "Like noise, not like eroded ground",
+            format!("Of {of} deciding measures {n} lie outside their natural ranges: {}.{scale}", outside.join(", ")),
+        ),
+    }
+}

@@ -1,0 +1,59 @@
+//! Lakes as polygons.
+
+use super::{Drainage, Polygon, polygon};
+use crate::algo::outline::{label_regions, outlines};
+use crate::grid::Domain;
+use crate::terrain::{HeightField, NodeSurface};
+
+/// Standing water.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lake {
+    /// Elevation of its surface, m.
+    pub level: f64,
+    /// Greatest depth, m.
+    pub depth: f64,
+    /// Area, m².
+    pub area: f64,
+    /// Volume, m³.
+    pub volume: f64,
+    /// Where it overflows, m; nowhere for water at the level of the sea.
+    pub outlet: Option<[f64; 2]>,
+    /// Discharge through it, m³/s.
+    pub discharge: f64,
+    /// Shore.
+    pub shore: Polygon,
+}
+
+/// The lakes of a raster that are somewhere deeper than `least_depth` (m) and cover at least `least_area` (m²), the largest
+/// first. **Cost** O(cells).
+pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth: f64, least_area: f64) -> Vec<Lake> {
+    let z = field.elevation();
+    let level = &drainage.level;
+    let label = label_regions(field.grid.shape, |i| level[i] > z[i], |i, j| level[i] == level[j]);
+    let rings = outlines(field.grid.shape, &label);
+    let cell = field.grid.cell_area();
+    let empty =
+        Lake { level: f64::NAN, depth: 0.0, area: 0.0, volume: 0.0, outlet: None, discharge: 0.0, shore: Vec::new() };
+    let mut lakes = vec![empty; rings.len()];
+    for i in (0..z.len()).filter(|&i| label[i] != 0) {
+        let lake = &mut lakes[label[i] as usize - 1];
+        let depth = level[i] - z[i];
+        lake.level = level[i];
+        lake.depth = lake.depth.max(depth);
+        lake.area += cell;
+        lake.volume += depth * cell;
+        let r = drainage.flow.receivers()[i] as usize;
+        if r == i {
+            lake.discharge += drainage.discharge[i];
+        } else if label[r] != label[i] {
+            lake.outlet = Some(field.grid.position(r));
+            lake.discharge = drainage.discharge[i];
+        }
+    }
+    for (lake, rings) in lakes.iter_mut().zip(&rings) {
+        lake.shore = polygon(&field.grid, rings);
+    }
+    lakes.retain(|l| l.depth >= least_depth && l.area >= least_area);
+    lakes.sort_by(|a, b| b.area.total_cmp(&a.area));
+    lakes
+}

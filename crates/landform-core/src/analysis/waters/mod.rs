@@ -1,0 +1,83 @@
+//! Rivers, lakes and basins as things with properties.
+
+mod basins;
+mod lakes;
+mod rivers;
+
+use std::sync::Arc;
+
+pub use basins::{Basin, basins};
+pub use lakes::{Lake, lakes};
+pub use rivers::{RiverReach, Width, rivers};
+
+use crate::algo::flow::{Flow, node_areas};
+use crate::algo::outlets::{at_or_under, fill_inland_water};
+use crate::algo::outline::Ring;
+use crate::field::names;
+use crate::grid::{Domain, Grid};
+use crate::parallel;
+use crate::terrain::{NodeSurface, sea_level as terrain_sea_level};
+
+/// Where water goes on a terrain: what rivers, lakes and basins are read from.
+#[derive(Clone, Debug)]
+pub struct Drainage<D> {
+    /// The graph, with the outlets that were used.
+    pub domain: Arc<D>,
+    /// Receivers and order.
+    pub flow: Flow,
+    /// Drainage area, m²; 0 where there is no data.
+    pub area: Vec<f64>,
+    /// Discharge, m³/s.
+    pub discharge: Vec<f64>,
+    /// Surface of the water, m.
+    pub level: Vec<f64>,
+    /// Level of the sea, m, if there is one.
+    pub sea_level: Option<f64>,
+}
+
+impl<D: Domain> Drainage<D> {
+    /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given; `rainfall` (m/s) holds
+    /// where the terrain has no field of it. **Cost** O(n).
+    pub fn of<T: NodeSurface<Domain = D>>(terrain: &T, sea_level: Option<f64>, rainfall: f64) -> Self {
+        let mut domain = terrain.domain();
+        if let Some(level) = sea_level {
+            Arc::make_mut(&mut domain).set_status(at_or_under(level, terrain));
+        }
+        let mut flow = Flow::new();
+        let mut area = node_areas(&*domain);
+        let mut discharge: Vec<f64> = match terrain.fields().get(&names::RAINFALL, "rivers") {
+            Ok(rain) => parallel::map(area.len(), |i| if area[i] > 0.0 { area[i] * rain[i] } else { 0.0 }),
+            Err(_) => parallel::map(area.len(), |i| area[i] * rainfall),
+        };
+        flow.route(&*domain, terrain.elevation(), &mut area);
+        for &i in flow.order() {
+            let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
+            if r != i {
+                discharge[r] += discharge[i];
+            }
+        }
+        let mut level = flow.water_level(terrain.elevation());
+        let sea_level = sea_level.or_else(|| terrain_sea_level(domain.status(), terrain.elevation()));
+        if let Some(sea) = sea_level {
+            fill_inland_water(terrain, &*domain, sea, &mut level);
+        }
+        Self { domain, flow, area, discharge, level, sea_level }
+    }
+}
+
+/// Part of the ground, as polygons in map coordinates: rings of (x, y), the outer one first.
+pub type Polygon = Vec<Vec<[f64; 2]>>;
+
+/// Rings of corners in map coordinates; nodes are the middles of cells.
+fn polygon(grid: &Grid, rings: &[Ring]) -> Polygon {
+    let corner = |[c, r]: [u32; 2]| {
+        [
+            grid.origin[0] + (f64::from(c) - 0.5) * grid.spacing[0],
+            grid.origin[1] - (f64::from(r) - 0.5) * grid.spacing[1],
+        ]
+    };
+    rings.iter().map(|ring| ring.iter().map(|&c| corner(c)).collect()).collect()
+}
+
+#[cfg(test)]
+mod tests;

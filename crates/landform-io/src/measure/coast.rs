@@ -1,0 +1,57 @@
+//! The coast.
+
+use landform_core::Result;
+use landform_core::analysis::{Coast, coast};
+use landform_core::terrain::NodeSurface;
+use landform_core::units::Length;
+use landform_core::verb::{Measure, Params, Source};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::check_path;
+use crate::export::Drawable;
+
+/// Measures the coast at a level: its length, islands, and how crooked it is by divider and boxes.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct MeasureCoast {
+    /// Path below the output folder.
+    pub path: String,
+    /// Level of the sea.
+    pub level: Length,
+}
+
+impl Default for MeasureCoast {
+    fn default() -> Self {
+        Self { path: "coast.json".into(), level: Length::of(0.0) }
+    }
+}
+
+impl Params for MeasureCoast {
+    const NAME: &'static str = "measure_coast";
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Mandelbrot (1967)",
+        title: "How long is the coast of Britain? Statistical self-similarity and fractional dimension, Science 156",
+        doi: "10.1126/science.156.3775.636",
+    }];
+
+    fn check(&self) -> Result<()> {
+        check_path(&self.path, &[".json"])
+    }
+}
+
+/// The coast's numbers.
+pub type CoastMeasured = Coast;
+
+impl<T: Drawable> Measure<T> for MeasureCoast {
+    type Out = CoastMeasured;
+
+    fn path(&self) -> &str {
+        &self.path
+    }
+
+    fn measure(&self, terrain: &T) -> Result<Coast> {
+        let raster = terrain.raster()?;
+        Ok(coast(&raster.grid, raster.elevation(), self.level.si()).0)
+    }
+}

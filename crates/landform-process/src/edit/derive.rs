@@ -1,0 +1,125 @@
+//! Fields that follow from the ground.
+
+use landform_core::algo::derivative::{gradient, local_relief, position_index, quadratic, slope};
+use landform_core::algo::flow::{Flow, node_areas};
+use landform_core::algo::horizon::shadow;
+use landform_core::field::{Key, names};
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::units::{Angle, Length};
+use landform_core::verb::{Context, Edit, Params, Source};
+use landform_core::{Error, Result, parallel};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Leaves fields that follow from the ground as it is now: slope, aspect, curvatures, position above the surroundings, relief, shadow,
+/// drainage area that spreads. They can be written, drawn, and used as masks.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Derive {
+    /// Which fields.
+    pub fields: Vec<Derived>,
+    /// position_index and local_relief: half of the side of the square around each node.
+    #[schemars(extend("x-above" = 0.0))]
+    pub radius: Length,
+    /// exposure: compass direction from which the sun or the wind comes.
+    pub from: Angle,
+    /// exposure: its angle above level.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 90.0))]
+    pub altitude: Angle,
+}
+
+/// A field that follows from the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Derived {
+    /// Rise over run (Horn 1981).
+    Slope,
+    /// Compass direction that the ground faces, degrees.
+    Aspect,
+    /// Curvature along the slope, 1/m (Evans 1972).
+    ProfileCurvature,
+    /// Curvature of the contour, 1/m.
+    PlanCurvature,
+    /// Elevation less the mean around, m.
+    PositionIndex,
+    /// Highest less lowest around, m.
+    LocalRelief,
+    /// 1 where the sun or the wind reaches, 0 in shadow.
+    Exposure,
+    /// Drainage area by D-infinity, m2.
+    SpreadArea,
+}
+
+impl Default for Derive {
+    fn default() -> Self {
+        Self {
+            fields: vec![Derived::Slope, Derived::Aspect, Derived::ProfileCurvature, Derived::PlanCurvature],
+            radius: Length::of(500.0),
+            from: Angle::of(315.0),
+            altitude: Angle::of(30.0),
+        }
+    }
+}
+
+impl Params for Derive {
+    const NAME: &'static str = "derive";
+    const SOURCES: &'static [Source] = &[
+        Source {
+            authors: "Horn (1981)",
+            title: "Hill shading and the reflectance map, Proceedings of the IEEE 69(1)",
+            doi: "10.1109/PROC.1981.11918",
+        },
+        Source {
+            authors: "Tarboton (1997)",
+            title: "A new method for the determination of flow directions and upslope areas in grid digital elevation models, Water Resources Research 33(2)",
+            doi: "10.1029/96WR03137",
+        },
+    ];
+}
+
+impl Derive {
+    /// The key and the values of a field.
+    fn field(&self, what: Derived, terrain: &HeightField) -> Result<(&'static Key<f64>, Vec<f64>)> {
+        let (grid, z) = (&terrain.grid, terrain.elevation());
+        let cell = grid.spacing[0].max(grid.spacing[1]);
+        let radius = (self.radius.si() / cell).round().max(1.0) as usize;
+        Ok(match what {
+            Derived::Slope => (&names::SLOPE, slope(grid, z)),
+            Derived::Aspect => (&names::ASPECT, parallel::map(z.len(), |i| gradient(grid, z, i).aspect().to_degrees())),
+            Derived::ProfileCurvature => {
+                (&names::PROFILE_CURVATURE, parallel::map(z.len(), |i| quadratic(grid, z, i).profile_curvature()))
+            }
+            Derived::PlanCurvature => {
+                (&names::PLAN_CURVATURE, parallel::map(z.len(), |i| quadratic(grid, z, i).plan_curvature()))
+            }
+            Derived::PositionIndex => (&names::POSITION_INDEX, position_index(grid.shape, z, radius)),
+            Derived::LocalRelief => (&names::LOCAL_RELIEF, local_relief(grid.shape, z, radius)),
+            Derived::Exposure => {
+                let dark = shadow(grid, z, self.from.si(), self.altitude.si());
+                let value = |i: usize| if z[i].is_nan() { f64::NAN } else { f64::from(u8::from(!dark[i])) };
+                (&names::EXPOSURE, parallel::map(z.len(), value))
+            }
+            Derived::SpreadArea => {
+                let domain = terrain.domain();
+                let (mut flow, mut area) = (Flow::new(), node_areas(&*domain));
+                flow.route(&*domain, z, &mut area);
+                let mut area = node_areas(&*domain);
+                flow.accumulate_infinity(&domain, grid, z, &mut area);
+                (&names::SPREAD_AREA, area)
+            }
+        })
+    }
+}
+
+impl Edit<HeightField> for Derive {
+    fn edit(&self, terrain: &mut HeightField, _: &Context) -> Result<()> {
+        if self.fields.is_empty() {
+            return Err(Error::parameter("fields", "[]", "at least one field, for example [\"slope\"]"));
+        }
+        for &what in &self.fields {
+            let (key, values) = self.field(what, terrain)?;
+            terrain.fields.insert(key, values);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,189 @@
+//! One surface on another.
+
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::units::{Length, Ratio, RatioDimension};
+use landform_core::verb::{Context, Edit, Params, Source, Varying};
+use landform_core::{Error, Result, math, parallel};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Faulting, Flat, MidpointDisplacement, Noise, OnGrid, Shape, SpectralFbm, Surface};
+
+/// Puts another surface on the ground: any of the generators on the landscape's own raster, added, or higher or lower of the two,
+/// everywhere or where a mask says.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Blend {
+    /// The other surface: a generator (`use`) and its parameters, without size and cell_size.
+    pub layer: Layer,
+    /// How the two are put together.
+    pub mode: BlendMode,
+    /// How much of it, 0 (the ground as it was) to 1; may vary in space: a mask.
+    pub amount: Varying<RatioDimension>,
+    /// Higher and lower: height over which one passes into the other.
+    #[schemars(extend("x-min" = 0.0))]
+    pub softness: Length,
+}
+
+/// A generator that works on any raster.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "use", rename_all = "snake_case")]
+pub enum Layer {
+    /// Ground broken by faults.
+    Faulting(Faulting),
+    /// Level ground.
+    Flat(Flat),
+    /// Fractal ground by subdivision.
+    MidpointDisplacement(MidpointDisplacement),
+    /// Octaves of noise.
+    Noise(Noise),
+    /// A simple shape.
+    Shape(Shape),
+    /// Fractional Brownian ground.
+    SpectralFbm(SpectralFbm),
+    /// Ground from a map or a formula.
+    Surface(Surface),
+}
+
+/// How two surfaces are put together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum BlendMode {
+    /// The sum.
+    #[default]
+    Add,
+    /// The ground less the layer.
+    Subtract,
+    /// The layer alone: with a mask, a crossfade.
+    Replace,
+    /// The higher of the two.
+    Higher,
+    /// The lower of the two.
+    Lower,
+}
+
+impl Default for Blend {
+    fn default() -> Self {
+        Self {
+            layer: Layer::Noise(Noise::default()),
+            mode: BlendMode::Add,
+            amount: Ratio::of(1.0).into(),
+            softness: Length::of(0.0),
+        }
+    }
+}
+
+impl Layer {
+    fn generator(&self) -> &dyn LayerGenerator {
+        match self {
+            Self::Faulting(p) => p,
+            Self::Flat(p) => p,
+            Self::MidpointDisplacement(p) => p,
+            Self::Noise(p) => p,
+            Self::Shape(p) => p,
+            Self::SpectralFbm(p) => p,
+            Self::Surface(p) => p,
+        }
+    }
+}
+
+/// What [`Blend`] asks of a generator.
+trait LayerGenerator {
+    fn on(&self, grid: &landform_core::grid::Grid, context: &Context) -> Result<Vec<f64>>;
+    fn check_layer(&self) -> Result<()>;
+}
+
+impl<P: OnGrid> LayerGenerator for P {
+    fn on(&self, grid: &landform_core::grid::Grid, context: &Context) -> Result<Vec<f64>> {
+        self.elevations(grid, context)
+    }
+
+    fn check_layer(&self) -> Result<()> {
+        self.validate()?;
+        if self.frame() != P::default().frame() {
+            let (size, cell) = self.frame();
+            let value = format!("size {} x {}, cell_size {cell}", size[0], size[1]);
+            return Err(Error::parameter(
+                "layer",
+                value,
+                "a generator without size and cell_size: it takes the landscape's own raster",
+            ));
+        }
+        Ok(())
+    }
+}
+
+impl Params for Blend {
+    const NAME: &'static str = "blend";
+    const SOURCES: &'static [Source] = &[];
+
+    fn check(&self) -> Result<()> {
+        self.layer.generator().check_layer()
+    }
+}
+
+impl Edit<HeightField> for Blend {
+    fn edit(&self, terrain: &mut HeightField, context: &Context) -> Result<()> {
+        let amount = self.amount.resolve("amount", terrain, context)?;
+        let layer = self.layer.generator().on(&terrain.grid, context)?;
+        let (mode, softness) = (self.mode, self.softness.si());
+        parallel::update(terrain.elevation_mut(), |i, z| {
+            let b = layer[i];
+            let whole = match mode {
+                BlendMode::Add => *z + b,
+                BlendMode::Subtract => *z - b,
+                BlendMode::Replace => b,
+                BlendMode::Higher => -lower(-*z, -b, softness),
+                BlendMode::Lower => lower(*z, b, softness),
+            };
+            *z = math::lerp(*z, whole, amount.at(i));
+        });
+        Ok(())
+    }
+}
+
+/// The lower of two, rounded by a parabola where they differ by less than `softness`.
+fn lower(a: f64, b: f64, softness: f64) -> f64 {
+    let near = (softness - (a - b).abs()).max(0.0);
+    let round = if softness > 0.0 { near * near / (4.0 * softness) } else { 0.0 };
+    a.min(b) - round
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use landform_core::grid::{Grid, Shape as GridShape};
+    use landform_core::random::Seed;
+    use landform_core::verb::NoMaps;
+
+    fn blended(json: &str) -> Vec<f64> {
+        let grid = Grid::new(GridShape::new(5, 5), [10.0, 10.0]).unwrap();
+        let mut terrain = HeightField::new(grid, (0..25).map(f64::from).collect()).unwrap();
+        let blend: Blend = serde_json::from_str(json).unwrap();
+        blend.validate().unwrap();
+        blend.edit(&mut terrain, &Context { seed: Seed(1), maps: &NoMaps }).unwrap();
+        terrain.elevation().to_vec()
+    }
+
+    #[test]
+    fn modes_do_as_they_say() {
+        let with = |rest: &str| blended(&format!(r#"{{"layer":{{"use":"flat","elevation":"10 m"}},{rest}}}"#));
+        assert_eq!(with(r#""mode":"add""#)[3], 13.0);
+        assert_eq!(with(r#""mode":"subtract""#)[3], -7.0);
+        assert_eq!(with(r#""mode":"replace","amount":0.5"#)[4], 7.0);
+        assert_eq!(with(r#""mode":"higher""#)[3], 10.0);
+        assert_eq!(with(r#""mode":"lower""#)[24], 10.0);
+        let soft = with(r#""mode":"lower","softness":"4 m""#);
+        assert_eq!((soft[10], soft[24], soft[2]), (9.0, 10.0, 2.0));
+        // A mask: the eastern half only.
+        let half = with(r#""amount":{"formula":"smoothstep(0.5, 0.5, u)"}"#);
+        assert_eq!((half[0], half[4]), (0.0, 14.0));
+    }
+
+    #[test]
+    fn a_layer_of_its_own_size_is_refused() {
+        let blend: Blend = serde_json::from_str(r#"{"layer":{"use":"noise","cell_size":"3 m"}}"#).unwrap();
+        assert!(blend.check().unwrap_err().to_string().contains("landscape's own raster"));
+        assert!(serde_json::from_str::<Blend>(r#"{"layer":{"use":"noise","wavelenth":"3 m"}}"#).is_err());
+    }
+}

@@ -1,0 +1,72 @@
+//! Ground broken by faults.
+
+use landform_core::algo::noise::{Faults, faults};
+use landform_core::grid::Grid;
+use landform_core::units::Length;
+use landform_core::verb::{Context, Params, Source};
+use landform_core::{Result, parallel};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{OnGrid, generator_on_grid};
+
+/// Ground broken by straight faults, each lifting one side: many make Brownian ground (H = 1/2), few make blocks.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Faulting {
+    /// Extent east and north.
+    #[schemars(extend("x-above" = 0.0))]
+    pub size: [Length; 2],
+    /// Distance between nodes; adjusted so that a whole number of cells fits.
+    #[schemars(extend("x-above" = 0.0))]
+    pub cell_size: Length,
+    /// Mean elevation.
+    pub elevation: Length,
+    /// Standard deviation of the elevation.
+    #[schemars(extend("x-min" = 0.0))]
+    pub deviation: Length,
+    /// Number of faults.
+    #[schemars(extend("x-min" = 1, "x-max" = 100_000))]
+    pub faults: u32,
+    /// Width of the slope at a fault; 0 is a cliff.
+    #[schemars(extend("x-min" = 0.0))]
+    pub width: Length,
+}
+
+impl Default for Faulting {
+    fn default() -> Self {
+        Self {
+            size: [Length::of(10_240.0); 2],
+            cell_size: Length::of(10.0),
+            elevation: Length::of(0.0),
+            deviation: Length::of(200.0),
+            faults: 1_000,
+            width: Length::of(0.0),
+        }
+    }
+}
+
+impl Params for Faulting {
+    const NAME: &'static str = "faulting";
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Mandelbrot (1975)",
+        title: "Stochastic models for the Earth's relief, the shape and the fractal dimension of the coastlines, and the number-area rule for islands, PNAS 72(10)",
+        doi: "10.1073/pnas.72.10.3825",
+    }];
+}
+
+impl OnGrid for Faulting {
+    fn frame(&self) -> ([Length; 2], Length) {
+        (self.size, self.cell_size)
+    }
+
+    fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
+        let what = Faults { count: self.faults as usize, width: self.width.si() };
+        let mut z = faults(grid, what, context.seed);
+        let (mean, deviation) = (self.elevation.si(), self.deviation.si());
+        parallel::update(&mut z, |_, v| *v = mean + deviation * *v);
+        Ok(z)
+    }
+}
+
+generator_on_grid!(Faulting);
