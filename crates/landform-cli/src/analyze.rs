@@ -45,7 +45,16 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     if matches!(extension.as_deref(), Some("geojson" | "json")) {
         return run_lines(args);
     }
-    let (field, notes) = ground::load(&args.input, &args.scale)?;
+    if args.step_from.is_some() || args.step_to.is_some() {
+        return Err(refusal(
+            "--step-from and --step-to are for files of lines",
+            "a raster's coast is measured from its own cells",
+        ));
+    }
+    if args.json.is_some() && args.json == args.report {
+        return Err(refusal("--json and --report name the same file", "give them different names"));
+    }
+    let ground::Ground { field, notes, .. } = ground::load(&args.input, &args.scale)?;
     let sea_level = args.sea_level.as_deref().map(Length::parse).transpose()?;
     let analysis = Analysis::of(&field, sea_level.map(Length::si))?;
     for note in &notes {
@@ -74,6 +83,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
+fn refusal(what: &str, hint: &str) -> Failure {
+    landform::core::Error::Recipe { at: None, what: what.into(), hint: Some(hint.into()) }.into()
+}
+
 /// The report card in a terminal.
 fn summary(analysis: &Analysis) {
     let e = &analysis.metrics.elevations;
@@ -97,26 +110,34 @@ fn summary(analysis: &Analysis) {
         };
         let name = if line.decides { format!("* {}", line.name) } else { format!("  {}", line.name) };
         let range = format!("{:.2} to {:.2}", line.natural[0], line.natural[1]);
-        say!("{name:<37} {:>10}  {range:<16} {word}", format!("{:.4}", line.value));
+        say!("{name:<37} {:>10}  {range:<16} {word}", ground::number(line.value));
     }
     say!("\n{}. {}", analysis.verdict.title, analysis.verdict.reason);
 }
 
 fn run_lines(args: &Args) -> Result<ExitCode, Failure> {
-    let length = |text: &Option<String>| text.as_deref().map(Length::parse).transpose().map(|l| l.map(Length::si));
-    let (from, to) = (length(&args.step_from)?, length(&args.step_to)?.unwrap_or(f64::INFINITY));
-    if args.report.is_some() || args.maps.is_some() {
-        let hint = "of lines, --json can be written".to_string();
-        let what = "there is no report and no map of a file of lines".to_string();
-        return Err(landform::core::Error::Recipe { at: None, what, hint: Some(hint) }.into());
+    let length = |name: &str, text: &Option<String>| text.as_deref().map(|t| ground::positive(name, t)).transpose();
+    let (from, to) =
+        (length("step_from", &args.step_from)?, length("step_to", &args.step_to)?.unwrap_or(f64::INFINITY));
+    if args.report.is_some() || args.maps.is_some() || args.sea_level.is_some() || args.scale.is_given() {
+        return Err(refusal(
+            "only --json, --step-from and --step-to can be used with a file of lines",
+            "leave the other options out",
+        ));
     }
     let list = lines(&read_whole(&args.input)?)?;
     let mut all = Vec::new();
     for line in &list {
         let length: f64 = line.points.windows(2).map(|p| distance(p[0], p[1])).sum();
         let least = from.unwrap_or(2.0 * length / (line.points.len() - 1) as f64);
+        if least < 1e-6 * length {
+            return Err(refusal(
+                "--step-from is less than a millionth of the line's length",
+                "the distance of the points is a fair least step",
+            ));
+        }
         let divider = dimension_by_divider(&line.points, least, to);
-        let boxes = dimension_by_boxes(&[&line.points], least);
+        let boxes = dimension_by_boxes(&[&line.points], least, to);
         let text = |d: &Option<Dimension>| {
             d.as_ref().map_or("too short".into(), |d| {
                 let (first, last) = (d.points[0].0, d.points[d.points.len() - 1].0);

@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use landform::core::Error;
+use landform::core::grid::Grid;
 use landform::core::terrain::{HeightField, Interpolation, resample};
 use landform::core::units::Length;
 use landform::io::files::write_whole;
 use landform::io::format::encode_png;
 use landform::io::report::compare_reports;
 
-use crate::ground::{self, Scale};
+use crate::ground::{self, Ground, Scale};
 use crate::show_error::Failure;
 
 #[derive(clap::Args)]
@@ -36,9 +38,16 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let sea_level = args.sea_level.as_deref().map(Length::parse).transpose()?.map(Length::si);
-    let (a, _) = ground::load(&args.a, &args.scale)?;
-    let (b, _) = ground::load(&args.b, &args.scale)?;
-    let b = onto(&a, b)?;
+    if let Some(map) = &args.map
+        && map.extension().is_none_or(|e| !e.eq_ignore_ascii_case("png"))
+    {
+        return Err(Error::parameter("map", format!("\"{}\"", map.display()), "a name that ends with .png").into());
+    }
+    let (a, b) = (ground::load(&args.a, &args.scale)?, ground::load(&args.b, &args.scale)?);
+    for note in &a.notes {
+        say!("note: {note}");
+    }
+    let (a, b) = onto(a, b, args.scale.is_given())?;
     let names = [ground::name(&args.a), ground::name(&args.b)];
     let found = compare_reports([&names[0], &names[1]], &a, &b, sea_level)?;
     let c = &found.comparison;
@@ -53,7 +62,9 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     say!("  gone {:.6} km3, added {:.6} km3, net {:.6} km3", c.eroded / 1e9, c.deposited / 1e9, c.net / 1e9);
     say!("\n{:<37} {:>10} {:>10}  {}", "measure", "A", "B", "on real ground");
     for (x, y) in found.a.card.iter().zip(&found.b.card) {
-        let value = |v: f64, inside: Option<bool>| format!("{v:.4}{}", if inside == Some(false) { "!" } else { " " });
+        let value = |v: f64, inside: Option<bool>| {
+            format!("{}{}", ground::number(v), if inside == Some(false) { "!" } else { " " })
+        };
         say!(
             "{:<37} {:>11} {:>11} {:.2} to {:.2}",
             x.name,
@@ -79,19 +90,42 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// B on A's raster, where both say that they lie in the same place.
-fn onto(a: &HeightField, b: HeightField) -> landform::core::Result<HeightField> {
+/// B on A's raster, where they lie in the same place.
+fn onto(a: Ground, b: Ground, scaled: bool) -> landform::core::Result<(HeightField, HeightField)> {
+    let (ga, gb) = (&a.grid, &b.grid);
+    let cells = |k: usize| (ga.origin[k] - gb.origin[k]).abs() / ga.spacing[k];
     let same =
-        a.grid.shape == b.grid.shape && (0..2).all(|k| (a.grid.spacing[k] / b.grid.spacing[k] - 1.0).abs() < 1e-6);
-    if same || a.grid.georeference.epsg != b.grid.georeference.epsg {
-        return Ok(b);
+        ga.shape == gb.shape && (0..2).all(|k| (ga.spacing[k] / gb.spacing[k] - 1.0).abs() < 1e-6 && cells(k) < 0.01);
+    if same && ga.georeference.epsg == gb.georeference.epsg {
+        return Ok((a.field, b.field));
     }
-    let [ea, eb] = [a.grid.extent(), b.grid.extent()];
+    let place = |g: &Grid| {
+        let epsg = g.georeference.epsg.map_or("no coordinate system".into(), |e| format!("EPSG:{e}"));
+        format!("{epsg}, {} from ({}, {})", g.shape, g.origin[0], g.origin[1])
+    };
+    let apart = |hint: &str| Err(Error::parameter("b", place(gb), &format!("the place of A, {} ({hint})", place(ga))));
+    if scaled {
+        return if ga.shape == gb.shape {
+            Ok((a.field, b.field))
+        } else {
+            apart("the same number of rows and columns")
+        };
+    }
+    if ga.georeference.epsg != gb.georeference.epsg {
+        return apart("warp one of them first");
+    }
     let overlap = (0..2).all(|k| {
-        let range = |o: f64, e: f64| if k == 0 { (o, o + e) } else { (o - e, o) };
-        let (al, ah) = range(a.grid.origin[k], ea[k]);
-        let (bl, bh) = range(b.grid.origin[k], eb[k]);
-        ah.min(bh) - al.max(bl) > 0.5 * (ah - al)
+        let range = |g: &Grid| {
+            let (o, e) = (g.origin[k], g.extent()[k]);
+            if k == 0 { (o, o + e) } else { (o - e, o) }
+        };
+        let ((al, ah), (bl, bh)) = (range(ga), range(gb));
+        ah.min(bh) - al.max(bl) > 0.1 * (ah - al)
     });
-    if overlap { resample(&b, &a.grid, Interpolation::Linear) } else { Ok(b) }
+    if !overlap || a.field.grid.georeference != ga.georeference {
+        return apart("they hardly overlap, or are in degrees: warp them to one raster");
+    }
+    say!("note: B was brought to A's raster: {}", place(gb));
+    let b = resample(&b.field, &a.field.grid, Interpolation::Linear)?;
+    Ok((a.field, b))
 }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use landform::core::grid::Edges;
-use landform::core::terrain::{HeightField, NodeSurface};
+use landform::core::grid::{Edges, Grid};
+use landform::core::terrain::{HeightField, Interpolation, NodeSurface, resample};
 use landform::core::units::Length;
 use landform::core::{Error, Result};
 use landform::io::format::load_raster;
@@ -20,9 +20,27 @@ pub(crate) struct Scale {
     relief: Option<String>,
 }
 
-/// A file in metres, and what a reader of the numbers should know.
-pub(crate) fn load(path: &Path, scale: &Scale) -> Result<(HeightField, Vec<String>)> {
+impl Scale {
+    /// Whether anything was said.
+    pub(crate) fn is_given(&self) -> bool {
+        self.cell_size.is_some() || self.relief.is_some()
+    }
+}
+
+/// Ground in metres.
+pub(crate) struct Ground {
+    /// The ground.
+    pub(crate) field: HeightField,
+    /// What a reader of the numbers should know.
+    pub(crate) notes: Vec<String>,
+    /// The raster as the file has it.
+    pub(crate) grid: Grid,
+}
+
+/// A file in metres.
+pub(crate) fn load(path: &Path, scale: &Scale) -> Result<Ground> {
     let mut field = load_raster(path)?;
+    let grid = field.grid.clone();
     let mut notes = Vec::new();
     if let Some(text) = &scale.cell_size {
         let cell = positive("cell_size", text)?;
@@ -36,17 +54,28 @@ pub(crate) fn load(path: &Path, scale: &Scale) -> Result<(HeightField, Vec<Strin
             "degrees taken as metres at the middle latitude: cells of {dx:.2} x {dy:.2} m, at most {:.2} % wrong at the sides",
             100.0 * error
         ));
+        if (dx / dy - 1.0).abs() > 0.01 && field.grid.shape.rows > 1 && field.grid.shape.cols > 1 {
+            let side = (dx * dy).sqrt();
+            field = resample(&field, &field.grid.with_cell_size(side)?, Interpolation::Linear)?;
+            notes.push(format!("brought to square cells of {side:.2} m, as those that the natural ranges were measured on (slopes fall by 1 to 4 %)"));
+        }
     }
     if let Some(text) = &scale.relief {
         stretch(&mut field, positive("relief", text)?);
     }
     field.grid.edges = Edges::default();
-    Ok((field, notes))
+    Ok(Ground { field, notes, grid })
 }
 
-fn positive(name: &str, text: &str) -> Result<f64> {
+/// A number of the card, or a dash.
+pub(crate) fn number(value: f64) -> String {
+    if value.is_finite() { format!("{value:.4}") } else { "–".into() }
+}
+
+/// A length above 0 and of this Earth.
+pub(crate) fn positive(name: &str, text: &str) -> Result<f64> {
     let value = Length::parse(text)?.si();
-    if value > 0.0 { Ok(value) } else { Err(Error::parameter(name, text, "> 0 m")) }
+    if value > 0.0 && value < 1e9 { Ok(value) } else { Err(Error::parameter(name, text, "> 0 m and less than 1e9 m")) }
 }
 
 fn stretch(field: &mut HeightField, relief: f64) {

@@ -150,6 +150,65 @@ const SMALL: &[(&str, &[&str])] = &[
     ("size", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
     ("convergence", &["stream_graph.nodes=1200", "evolve.clock.max_steps=20", "evolve.watch.size=64"]),
     ("many", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
+    (
+        "coasts",
+        &[
+            "rough.cell_size=320 m",
+            "brownian.cell_size=320 m",
+            "middling.cell_size=320 m",
+            "smooth.cell_size=320 m",
+            "write_picture.size=160",
+        ],
+    ),
+    ("spectral", &["land.cell_size=160 m", "write_picture.size=160"]),
+    (
+        "subdivision",
+        &[
+            "diamond_square.cell_size=80 m",
+            "four_eight_held.cell_size=80 m",
+            "four_eight.cell_size=80 m",
+            "write_picture.size=160",
+        ],
+    ),
+    ("diamond_square", &["land.cell_size=160 m", "write_picture.size=160"]),
+    ("four_eight", &["land.cell_size=160 m", "write_picture.size=160"]),
+    (
+        "octaves",
+        &[
+            "octaves_1.cell_size=160 m",
+            "octaves_2.cell_size=160 m",
+            "octaves_4.cell_size=160 m",
+            "octaves_8.cell_size=160 m",
+            "write_picture.size=160",
+        ],
+    ),
+    ("creases", &["land.cell_size=160 m", "write_picture.size=160"]),
+    ("faults", &["few.cell_size=160 m", "many.cell_size=160 m", "write_picture.size=160"]),
+    (
+        "kinds",
+        &[
+            "fbm.cell_size=160 m",
+            "billow.cell_size=160 m",
+            "ridged.cell_size=160 m",
+            "ridged_multifractal.cell_size=160 m",
+            "hybrid_multifractal.cell_size=160 m",
+            "multifractal.cell_size=160 m",
+            "write_picture.size=160",
+        ],
+    ),
+    (
+        "bases",
+        &[
+            "perlin.cell_size=160 m",
+            "simplex.cell_size=160 m",
+            "value.cell_size=160 m",
+            "worley.cell_size=160 m",
+            "write_picture.size=160",
+        ],
+    ),
+    ("scaling", &["plain.cell_size=160 m", "write_picture.size=160"]),
+    ("layers", &["shape.cell_size=320 m", "write_picture.size=160"]),
+    ("measured", &["elevation_file.cell_size=360 m", "write_picture.size=160"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]

@@ -22,7 +22,7 @@ pub struct Form {
     pub sinks: f64,
     /// The same of the ground upside down.
     pub sinks_upside_down: f64,
-    /// (upside down − upright) / (upside down + upright); 0 for ground without either.
+    /// (upside down − upright) / (upside down + upright); NaN for ground without either.
     pub sink_asymmetry: f64,
     /// Pits per 1000 nodes.
     pub pits: f64,
@@ -46,7 +46,7 @@ pub fn form(grid: &Grid, domain: &RasterDomain, z: &[f64], sinks: f64) -> Form {
     Form {
         sinks,
         sinks_upside_down,
-        sink_asymmetry: if both > 0.0 { (sinks_upside_down - sinks) / both } else { 0.0 },
+        sink_asymmetry: (sinks_upside_down - sinks) / both,
         pits: 1000.0 * extremes(grid.shape, z) as f64 / valid,
         peaks: 1000.0 * extremes(grid.shape, &upside) as f64 / valid,
         laplacian_skew: laplacian_skew(grid.shape, z),

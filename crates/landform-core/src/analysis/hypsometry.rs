@@ -103,7 +103,8 @@ pub fn of_sorted(z: &[f64]) -> Hypsometry {
     let clipped = parallel::sum(n, |i| z[i].clamp(low, high)) / n as f64;
     let moment = |p: i32| parallel::sum(n, |i| (z[i] - mean).powi(p)) / n as f64;
     let integral = relative(mean);
-    let (class, reason) = classify(&curve, integral);
+    // Steps of few elevations are no inflections.
+    let (class, reason) = if n < LEAST_NODES { classify(&[], integral) } else { classify(&curve, integral) };
     Hypsometry {
         integral,
         integral_clipped: (clipped - low) / (high - low),
@@ -128,6 +129,9 @@ fn flat() -> Hypsometry {
         reason: "there is no relief".into(),
     }
 }
+
+/// Fewer elevations make no curve to be judged by its bends.
+const LEAST_NODES: usize = 300;
 
 /// Value below which the part 1 − `above` of descending values lies, linear between them.
 fn quantile(descending: &[f64], above: f64) -> f64 {

@@ -85,6 +85,15 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
         let below = sorted.last().is_some_and(|&z| z < 0.0) && sorted.first().is_some_and(|&z| z > 0.0);
         sea_level.unwrap_or(if below { 0.0 } else { sorted[sorted.len() / 2] })
     };
+    let greatest = parallel::max(field.elevation().len(), |i| field.elevation()[i].abs());
+    if greatest > MOST_ELEVATION {
+        let value = format!("{greatest:e} m");
+        return Err(Error::parameter(
+            "elevation",
+            value,
+            &format!("elevations within {MOST_ELEVATION:e} m; is nodata marked as such?"),
+        ));
+    }
     let land = sea_level.map(|level| cut_off(field, level)).transpose()?;
     let land = land.as_ref().unwrap_or(field);
     let (grid, z) = (&land.grid, land.elevation());
@@ -119,6 +128,9 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
     };
     Ok((metrics, Drawings { coast: lines, spectrum: plot }))
 }
+
+/// Beyond this, squares of squares lose their meaning.
+const MOST_ELEVATION: f64 = 1e9;
 
 /// The ground above a level; what is at or under it is nodata.
 fn cut_off(field: &HeightField, level: f64) -> Result<HeightField> {

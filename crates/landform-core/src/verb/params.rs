@@ -85,7 +85,11 @@ fn choices(property: &Value, definitions: &Value) -> Vec<String> {
     let words = listed("enum").filter_map(|v| v.as_str().map(String::from));
     let constants = listed("oneOf").filter_map(|v| v["const"].as_str().map(String::from));
     let nested = listed("anyOf").flat_map(|v| choices(v, definitions));
-    words.chain(constants).chain(nested).collect()
+    let mut found: Vec<String> = words.chain(constants).chain(nested).collect();
+    if found.is_empty() && property["items"].is_object() {
+        found = choices(&property["items"], definitions);
+    }
+    found
 }
 
 /// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties.

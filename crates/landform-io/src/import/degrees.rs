@@ -18,7 +18,11 @@ pub fn in_degrees(field: &HeightField) -> bool {
     let grid = &field.grid;
     let [x, y] = grid.origin;
     let tiny = grid.spacing[0] < 0.1 && x.abs() <= 360.0 && y.abs() <= 90.0 && [x, y] != [0.0, grid.extent()[1]];
-    grid.georeference.geographic || (grid.georeference.epsg.is_none() && tiny)
+    // A whole globe, or a hemisphere, in cells of up to two degrees.
+    let [dx, dy] = grid.extent();
+    let near = |a: f64, b: f64| (a - b).abs() <= grid.spacing[0].max(grid.spacing[1]);
+    let globe = grid.spacing[0] <= 2.0 && near(dx, 360.0) && near(y, 90.0) && dy <= 181.0;
+    grid.georeference.geographic || (grid.georeference.epsg.is_none() && (tiny || globe))
 }
 
 /// Metres per degree of longitude and of latitude.

@@ -13,7 +13,7 @@ code{font-size:.8rem;color:var(--faint);overflow-wrap:anywhere}.plots{display:fl
 svg text{fill:var(--ink);font:12px system-ui,sans-serif;paint-order:stroke;stroke:var(--paper);stroke-width:3px}svg .axis{stroke:var(--faint);fill:none}svg .grid{stroke:var(--line)}
 svg .name{font-weight:600}svg .mark{fill:var(--accent)}svg .line{stroke:var(--accent);stroke-width:2;fill:none}
 svg .mark.s1{fill:var(--second)}svg .line.s1{stroke:var(--second)}svg .mark.s2{fill:var(--faint)}svg .line.s2{stroke:var(--faint)}
-svg .dashed{stroke-dasharray:6 4}svg{max-width:100%;height:auto}.plots>*{flex:0 1 auto}.plots figure{max-width:520px}.plots>table{flex:1 1 420px;max-width:580px;align-self:flex-start}
+svg .dashed{stroke-dasharray:6 4}svg{max-width:100%;height:auto}.plots>*{flex:0 1 auto}.plots figure{max-width:520px}.plots>table{flex:1 1 420px;max-width:580px;align-self:flex-start}.plots>svg{align-self:flex-start}.plots td:nth-child(2){white-space:nowrap}
 .scroll{overflow-x:auto}.card th{text-align:left;padding:.2rem 1.2rem .2rem 0;border-bottom:2px solid var(--line);font-size:.85rem}
 .card td{vertical-align:top}.card td:nth-child(2){text-align:left}.card td:nth-child(3){color:inherit}.n{font-variant-numeric:tabular-nums;white-space:nowrap}
 .note{color:var(--faint);font-size:.85rem}.verdict{font-size:1.1rem;border-left:4px solid var(--accent);padding:.2rem 0 .2rem .8rem}
@@ -33,7 +33,9 @@ pub(super) fn table(rows: &[String]) -> String {
 }
 
 pub(super) fn row(name: &str, value: &str, unit: &str) -> String {
-    format!("<tr><td>{}</td><td>{}</td><td>{}</td></tr>", escape(name), escape(value), escape(unit))
+    // What could not be measured.
+    let known = |text: &str| escape(&text.replace("NaN", "–"));
+    format!("<tr><td>{}</td><td>{}</td><td>{}</td></tr>", escape(name), known(value), known(unit))
 }
 
 pub(super) fn escape(text: &str) -> String {

@@ -131,7 +131,19 @@ impl Plot {
         for (line, (k, series)) in named.enumerate() {
             let y = TOP + 14.0 + 16.0 * line as f64;
             let x = WIDTH - RIGHT - 8.0;
-            let class = if series.style == Style::Dots || series.style == Style::Bars { "mark" } else { "line" };
+            if series.style == Style::Dots {
+                write!(svg, "<circle class=\"mark s{}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\"/>", k % 3, x - 8.0, y - 4.0)
+                    .ok();
+                write!(
+                    svg,
+                    "<text x=\"{:.1}\" y=\"{y:.1}\" text-anchor=\"end\">{}</text>",
+                    x - 22.0,
+                    escape(&series.label)
+                )
+                .ok();
+                continue;
+            }
+            let class = if series.style == Style::Bars { "mark" } else { "line" };
             let dash = if series.style == Style::Dashed { " dashed" } else { "" };
             write!(svg, "<path class=\"{class} s{}{dash}\" d=\"M{:.1} {:.1}h16v2h-16z\"/>", k % 3, x - 16.0, y - 5.0)
                 .ok();

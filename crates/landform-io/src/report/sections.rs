@@ -211,7 +211,7 @@ pub(super) fn roughness(m: &Metrics, picture: String) -> String {
                 "The thesis' figures of merit",
                 &format!("RMS {:.3}, R² {:.3}", s.seed_fit.rms, s.seed_fit.r2),
                 &format!(
-                    "{} points, {} removed; they cannot see the slope: it is {:.3}",
+                    "{} points, {} removed; RMS on our scale of r. They cannot see the slope: it is {:.3}",
                     s.seed_fit.points, s.seed_fit.removed, s.seed_fit.exponent
                 ),
             ),

@@ -62,7 +62,7 @@ impl Params for Mask {
             return Err(Error::parameter("name", format!("\"{}\"", self.name), "a name of its own, such as \"mask\""));
         }
         let wrong = |name: &str, [a, b]: [f64; 2]| {
-            (a > b).then(|| Error::parameter(name, format!("{a} to {b} (SI units)"), "the lesser value first"))
+            (a > b).then(|| Error::parameter(name, "a range that runs down", "the lesser value first"))
         };
         let ranges = [
             ("elevation", self.elevation.map(|r| r.map(Length::si))),

@@ -9,12 +9,12 @@ use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Displaces the ground sideways by noise: straight things wind, circles become blots. The border takes from within.
+/// Displaces the ground sideways by noise: straight things wind, circles become blots. Beyond the border lies its mirror image.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Warp {
     /// Displacement: it is rarely more than half of this, never more.
-    #[schemars(extend("x-min" = 0.0))]
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1e7))]
     pub amplitude: Length,
     /// Length of the coarsest waves of the displacement.
     #[schemars(extend("x-above" = 0.0))]
@@ -26,6 +26,7 @@ pub struct Warp {
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub hurst: f64,
     /// How much of the displacement, 0 to 1; may vary in space: a mask.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub amount: Varying<RatioDimension>,
 }
 
@@ -61,7 +62,7 @@ impl Edit<HeightField> for Warp {
             let p = grid.position(i);
             [0, 1].map(|k| {
                 let noise = fbm(context.seed.with(k as u64), p[0] / wave, p[1] / wave, self.octaves, 2.0, gain);
-                (p[k] + amount.at(i) * amplitude * noise).clamp(lo[k], hi[k])
+                mirrored(p[k] + amount.at(i).clamp(0.0, 1.0) * amplitude * noise, lo[k], hi[k])
             })
         });
         let moved = |values: &[f64], interpolation: Interpolation| {
@@ -86,6 +87,16 @@ impl Edit<HeightField> for Warp {
         }
         Ok(())
     }
+}
+
+/// A coordinate beyond the border as far within it.
+fn mirrored(v: f64, lo: f64, hi: f64) -> f64 {
+    let width = hi - lo;
+    if width <= 0.0 {
+        return lo;
+    }
+    let t = (v - lo).rem_euclid(2.0 * width);
+    (lo + if t > width { 2.0 * width - t } else { t }).clamp(lo, hi)
 }
 
 #[cfg(test)]

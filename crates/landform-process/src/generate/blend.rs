@@ -19,6 +19,7 @@ pub struct Blend {
     /// How the two are put together.
     pub mode: BlendMode,
     /// How much of it, 0 (the ground as it was) to 1; may vary in space: a mask.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub amount: Varying<RatioDimension>,
     /// Higher and lower: height over which one passes into the other.
     #[schemars(extend("x-min" = 0.0))]
@@ -136,7 +137,7 @@ impl Edit<HeightField> for Blend {
                 BlendMode::Higher => -lower(-*z, -b, softness),
                 BlendMode::Lower => lower(*z, b, softness),
             };
-            *z = math::lerp(*z, whole, amount.at(i));
+            *z = math::lerp(*z, whole, amount.at(i).clamp(0.0, 1.0));
         });
         Ok(())
     }

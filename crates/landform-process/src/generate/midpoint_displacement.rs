@@ -4,7 +4,7 @@ use landform_core::algo::noise::{Midpoint, Subdivision};
 use landform_core::grid::{Grid, Shape};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Params, Source};
-use landform_core::{Error, Result, parallel};
+use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -24,8 +24,8 @@ pub struct MidpointDisplacement {
     pub elevation: Length,
     /// How the lattice is refined.
     pub subdivision: Subdivision,
-    /// Coarse heights, row by row from the north-west, all rows alike in length, at least 2 x 2. They span the extent if the
-    /// cells along each side are these cells times one power of two; else the finer lattice is cut off east and south.
+    /// Coarse heights, row by row from the north-west, all rows alike in length, at least 2 x 2, spread over the extent. Nodes of the
+    /// raster lie on the refined lattice where the cells along each side are the coarse ones times a power of two, else between its nodes.
     pub coarse: Vec<Vec<Length>>,
     /// Whether the coarse heights stay as they are while four_eight smooths what lies between; diamond_square never moves them.
     pub hold: bool,
@@ -120,9 +120,15 @@ impl OnGrid for MidpointDisplacement {
             hold: self.hold,
         };
         let (fine, z) = (refinement.fine_shape(), refinement.surface(context.seed));
+        // The lattice spans the extent; between its nodes lie straight lines.
+        let stretch = |n: usize, of: usize| if n > 1 { (of - 1) as f64 / (n - 1) as f64 } else { 0.0 };
+        let (down, across) = (stretch(grid.shape.rows, fine.rows), stretch(grid.shape.cols, fine.cols));
         Ok(parallel::map(grid.len(), |i| {
             let cell = grid.shape.cell(i);
-            self.elevation.si() + z[fine.index(cell.row, cell.col)]
+            let (r, c) = (cell.row as f64 * down, cell.col as f64 * across);
+            let (r0, c0) = ((r as usize).min(fine.rows - 2), (c as usize).min(fine.cols - 2));
+            let along = |row: usize| math::lerp(z[fine.index(row, c0)], z[fine.index(row, c0 + 1)], c - c0 as f64);
+            self.elevation.si() + math::lerp(along(r0), along(r0 + 1), r - r0 as f64)
         }))
     }
 

@@ -4,7 +4,7 @@ use landform_core::algo::noise::{Basis, Fractal, FractalKind};
 use landform_core::grid::Grid;
 use landform_core::units::Length;
 use landform_core::verb::{Context, Params, Source};
-use landform_core::{Result, math, parallel};
+use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -20,9 +20,9 @@ pub struct Noise {
     /// Distance between nodes; adjusted so that a whole number of cells fits.
     #[schemars(extend("x-above" = 0.0))]
     pub cell_size: Length,
-    /// Mean elevation.
+    /// Elevation that noise of 0 stands for: the mean of plain sums.
     pub elevation: Length,
-    /// Half of the relief: elevations lie within about this of the mean.
+    /// Height above it that noise of 1 stands for. Plain sums rarely reach half of it; billows lie below, ridges above, multifractals may go beyond.
     #[schemars(extend("x-min" = 0.0))]
     pub amplitude: Length,
     /// Length of the coarsest waves.
@@ -42,7 +42,7 @@ pub struct Noise {
     /// How octaves are put together.
     pub fractal: FractalKind,
     /// Distance by which the ground is displaced sideways by noise of the same waves, which winds ridges and valleys.
-    #[schemars(extend("x-min" = 0.0))]
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1e7))]
     pub warp: Length,
 }
 
@@ -87,6 +87,14 @@ impl OnGrid for Noise {
 
     fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
         let wave = self.wavelength.si();
+        let cell = grid.spacing[0].max(grid.spacing[1]);
+        if wave < 2.0 * cell {
+            return Err(Error::parameter(
+                "wavelength",
+                self.wavelength,
+                &format!("at least two cells, {} m", 2.0 * cell),
+            ));
+        }
         let finest = 2.0 * grid.spacing[0].max(grid.spacing[1]);
         let fitting = (math::log(wave / finest) / math::log(self.lacunarity) + 1e-9).floor().max(0.0) as u32 + 1;
         let fractal = Fractal {

@@ -3,7 +3,7 @@
 use landform_core::grid::Grid;
 use landform_core::units::{Angle, Length};
 use landform_core::verb::{Context, Params, Source};
-use landform_core::{Result, math, parallel};
+use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -52,7 +52,7 @@ pub enum Form {
     Dome,
     /// A roof over both axes: high where |x| + |y| is small.
     Diamond,
-    /// High in the middle, falling to all four sides alike: 1 - r.
+    /// A pyramid: high in the middle, falling to all four sides alike (1 - r of formulas).
     Radial,
 }
 
@@ -107,6 +107,14 @@ impl OnGrid for Shape {
     }
 
     fn elevations(&self, grid: &Grid, _: &Context) -> Result<Vec<f64>> {
+        let cell = grid.spacing[0].max(grid.spacing[1]);
+        if self.form == Form::Folds && self.wavelength.si() < 2.0 * cell {
+            return Err(Error::parameter(
+                "wavelength",
+                self.wavelength,
+                &format!("at least two cells, {} m", 2.0 * cell),
+            ));
+        }
         let half = grid.extent().map(|e| 0.5 * e);
         let middle = [grid.origin[0] + half[0], grid.origin[1] - half[1]];
         let (low, high) = (self.low.si(), self.high.si());

@@ -3,8 +3,8 @@
 //! # Sources
 //! Saupe (1988), algorithm SpectralSynthesisFM2D; see [`spectral_surface`] for the exponent.
 
-use landform_core::algo::noise::{self_affine, spectral_surface};
-use landform_core::grid::Grid;
+use landform_core::algo::noise::{self_affine, spectral_surface, surroundings};
+use landform_core::grid::{Grid, Shape};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Params, Source};
 use landform_core::{Error, Result, parallel};
@@ -61,15 +61,14 @@ impl Params for SpectralFbm {
 const MOST_TRANSFORM: usize = 1 << 16;
 
 impl SpectralFbm {
-    /// Side of the square transform that the surface is cut from; of a periodic surface its longer side.
-    fn transform_side(&self, shape: landform_core::grid::Shape) -> Result<usize> {
-        let longer = shape.rows.max(shape.cols);
-        let n = if self.periodic { longer } else { (2 * longer).next_power_of_two() };
-        if n > MOST_TRANSFORM {
+    /// Shape of the transform.
+    fn transform(&self, grid: &Grid) -> Result<Shape> {
+        let shape = if self.periodic { grid.shape } else { surroundings(grid.shape, grid.spacing) };
+        if shape.rows.max(shape.cols) > MOST_TRANSFORM {
             let expected = format!("at most {} cells along a side", MOST_TRANSFORM / 2);
             return Err(Error::parameter("cell_size", self.cell_size, &expected));
         }
-        Ok(n)
+        Ok(shape)
     }
 }
 
@@ -79,7 +78,7 @@ impl OnGrid for SpectralFbm {
     }
 
     fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
-        self.transform_side(grid.shape)?;
+        self.transform(grid)?;
         let mut z = if self.periodic {
             periodic(grid, self.hurst, context)
         } else {
@@ -91,8 +90,8 @@ impl OnGrid for SpectralFbm {
     }
 
     fn scratch(&self, nodes: u64) -> u64 {
-        let side = raster(self.size, self.cell_size).and_then(|g| self.transform_side(g.shape)).unwrap_or(0) as u64;
-        if self.periodic { 24 * nodes } else { 24 * side * side }
+        let transform = raster(self.size, self.cell_size).and_then(|g| self.transform(&g));
+        if self.periodic { 24 * nodes } else { 24 * transform.map_or(0, |t| t.len() as u64) }
     }
 }
 
@@ -100,7 +99,6 @@ generator_on_grid!(SpectralFbm);
 
 /// A periodic surface whose last row and column repeat the first; standard deviation 1.
 fn periodic(grid: &Grid, hurst: f64, context: &Context) -> Vec<f64> {
-    use landform_core::grid::Shape;
     let cells = Shape::new((grid.shape.rows - 1).max(1), (grid.shape.cols - 1).max(1));
     let z = spectral_surface(cells, grid.spacing, hurst, context.seed);
     let variance = parallel::sum(z.len(), |i| z[i] * z[i]) / z.len() as f64;

@@ -12,4 +12,4 @@ pub use faults::{Faults, faults};
 pub use fractal::{Fractal, FractalKind};
 pub use gradient::{fbm, gradient_noise};
 pub use midpoint::{Midpoint, Subdivision};
-pub use spectral::{self_affine, spectral_surface};
+pub use spectral::{self_affine, spectral_surface, surroundings};

@@ -47,12 +47,20 @@ pub fn spectral_surface(shape: Shape, spacing: [f64; 2], hurst: f64, seed: Seed)
     inverse(coefficients)
 }
 
+/// Shape of the periodic surface that [`self_affine`] cuts from: twice the longer side both ways, so that it follows from the extent and not from the cells.
+pub fn surroundings(shape: Shape, spacing: [f64; 2]) -> Shape {
+    let sides = [(shape.cols - 1) as f64 * spacing[0], (shape.rows - 1) as f64 * spacing[1]];
+    let longer = 2.0 * sides[0].max(sides[1]);
+    let nodes = |k: usize, least: usize| ((longer / spacing[k]).round() as usize).max(least).max(1);
+    Shape::new(nodes(1, shape.rows), nodes(0, shape.cols))
+}
+
 /// A self-affine surface on the north-western part of a periodic one of at least twice the size, so that its sides do not match; mean 0 and
 /// standard deviation 1 over the part (all 0 for a single node).
 pub fn self_affine(shape: Shape, spacing: [f64; 2], hurst: f64, seed: Seed) -> Vec<f64> {
-    let side = (2 * shape.rows.max(shape.cols)).next_power_of_two();
-    let whole = spectral_surface(Shape::new(side, side), spacing, hurst, seed);
-    let part = parallel::map(shape.len(), |i| whole[i / shape.cols * side + i % shape.cols]);
+    let whole_shape = surroundings(shape, spacing);
+    let whole = spectral_surface(whole_shape, spacing, hurst, seed);
+    let part = parallel::map(shape.len(), |i| whole[i / shape.cols * whole_shape.cols + i % shape.cols]);
     drop(whole);
     standardized(part)
 }
@@ -81,5 +89,17 @@ mod tests {
         let pairs = (0..1024).map(|i| (coarse[i], 4.0 * fine[(i / 32) * 128 + (i % 32) * 2]));
         let (slope, _, r2) = math::line_fit(pairs.collect::<Vec<_>>().into_iter());
         assert!(r2 > 0.98 && (slope - 1.0).abs() < 0.03, "{slope} {r2}");
+    }
+
+    #[test]
+    fn the_land_does_not_depend_on_the_cells() {
+        // 6000 m in cells of 20 m and of 12 m: shared nodes are 60 m apart.
+        let coarse = self_affine(Shape::new(202, 301), [20.0, 20.0], 0.8, Seed(5));
+        let fine = self_affine(Shape::new(336, 501), [12.0, 12.0], 0.8, Seed(5));
+        let pairs: Vec<(f64, f64)> = (0..67 * 101)
+            .map(|k| (coarse[k / 101 * 3 * 301 + k % 101 * 3], fine[k / 101 * 5 * 501 + k % 101 * 5]))
+            .collect();
+        let (slope, _, r2) = math::line_fit(pairs.into_iter());
+        assert!(r2 > 0.995 && (slope - 1.0).abs() < 0.02, "{slope} {r2}");
     }
 }

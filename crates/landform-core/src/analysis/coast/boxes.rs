@@ -4,7 +4,7 @@
 //! Boxes of a square lattice, counted for four positions of the lattice; the mean of the four. Sizes grow by √2
 //! up to an eighth of the extent.
 
-use super::{Dimension, extent};
+use super::{Dimension, extent, length};
 use crate::math;
 
 /// Number of boxes of side `size` that lines pass through, the mean of four positions of the lattice.
@@ -51,9 +51,13 @@ fn cross(a: [f64; 2], b: [f64; 2], boxes: &mut Vec<(i64, i64)>) {
     }
 }
 
-/// The dimension by boxes from `least` to an eighth of the lines' extent; none if fewer than four sizes fit.
-pub fn dimension_by_boxes(lines: &[&[[f64; 2]]], least: f64) -> Option<Dimension> {
-    let most = 0.125 * extent(lines.iter().flat_map(|l| l.iter()));
+/// The dimension by boxes from `least` to an eighth of the lines' extent, or `most`; none if fewer than four sizes fit, or `least` is so small that more than ten
+/// million boxes would be counted.
+pub fn dimension_by_boxes(lines: &[&[[f64; 2]]], least: f64, most: f64) -> Option<Dimension> {
+    if !(least > 1e-7 * lines.iter().map(|l| length(l)).sum::<f64>()) {
+        return None;
+    }
+    let most = (0.125 * extent(lines.iter().flat_map(|l| l.iter()))).min(most * (1.0 + 1e-9));
     let sizes = (0..).map(|k| least * math::pow(2.0, 0.5 * f64::from(k))).take_while(|s| *s <= most);
     Dimension::of(sizes.map(|s| (s, box_counts(lines, s))).collect())
 }

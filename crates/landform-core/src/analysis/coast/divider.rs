@@ -7,7 +7,7 @@
 //! # Sources
 //! Richardson (1961); Mandelbrot (1967).
 
-use super::{Dimension, extent};
+use super::{Dimension, extent, length};
 use crate::math;
 
 /// Number of steps of length `step` along a line.
@@ -54,8 +54,12 @@ fn leaves(centre: [f64; 2], a: [f64; 2], b: [f64; 2], radius: f64, from: f64) ->
     (t > from && t <= 1.0).then_some(t)
 }
 
-/// The dimension over steps from `least` to a quarter of the line's extent, or `most`; none if fewer than four steps fit.
+/// The dimension over steps from `least` to a quarter of the line's extent, or `most`; none if fewer than four steps fit, or `least` is so small that a walk would
+/// take more than ten million steps.
 pub fn dimension_by_divider(points: &[[f64; 2]], least: f64, most: f64) -> Option<Dimension> {
+    if !(least > 1e-7 * length(points)) {
+        return None;
+    }
     // Beyond a quarter of the extent a walk has too few steps to say anything.
     let most = if most.is_finite() { most * (1.0 + 1e-9) } else { 0.25 * extent(points.iter()) };
     let sizes = (0..).map(|k| least * math::pow(2.0, 0.5 * f64::from(k))).take_while(|s| *s <= most);

@@ -93,9 +93,14 @@ pub fn coast(grid: &Grid, z: &[f64], level: f64) -> (Coast, Vec<Isoline>) {
         largest: areas,
         land_share: land / ground,
         divider: longest.and_then(|k| dimension_by_divider(&lines[k].points, 4.0 * cell, f64::INFINITY)),
-        boxes: dimension_by_boxes(&all, 2.0 * cell),
+        boxes: dimension_by_boxes(&all, 2.0 * cell, f64::INFINITY),
     };
     (coast, lines)
+}
+
+/// Length of a line, m.
+fn length(points: &[[f64; 2]]) -> f64 {
+    points.windows(2).map(|p| math::hypot(p[1][0] - p[0][0], p[1][1] - p[0][1])).sum()
 }
 
 /// Greater side of the rectangle around points.

@@ -28,10 +28,10 @@ fn kochs_curve_and_a_straight_line_have_their_dimensions() {
     let expected = math::log(4.0) / math::log(3.0);
     let divider = dimension_by_divider(&curve, 4.0 * smallest, f64::INFINITY).unwrap();
     assert!((divider.dimension - expected).abs() < 0.02, "{}", divider.dimension);
-    let boxes = dimension_by_boxes(&[&curve], 4.0 * smallest).unwrap();
+    let boxes = dimension_by_boxes(&[&curve], 4.0 * smallest, f64::INFINITY).unwrap();
     assert!((boxes.dimension - expected).abs() < 0.02, "{}", boxes.dimension);
     let line: Vec<[f64; 2]> = (0..=1000).map(|k| [f64::from(k) * 0.9, f64::from(k) * 0.37]).collect();
-    for d in [dimension_by_divider(&line, 4.0, f64::INFINITY), dimension_by_boxes(&[&line], 2.0)] {
+    for d in [dimension_by_divider(&line, 4.0, f64::INFINITY), dimension_by_boxes(&[&line], 2.0, f64::INFINITY)] {
         let d = d.unwrap().dimension;
         assert!((d - 1.0).abs() < 0.02, "{d}");
     }
@@ -50,7 +50,7 @@ fn level_sets_read_what_the_calibration_reads() {
                 let (coast, lines) = coast(&grid, &z, 0.0);
                 assert!(coast.islands > 0 && (0.2..0.8).contains(&coast.land_share));
                 let all: Vec<&[[f64; 2]]> = lines.iter().map(|l| l.points.as_slice()).collect();
-                dimension_by_boxes(&all, 2.0).unwrap().dimension
+                dimension_by_boxes(&all, 2.0, f64::INFINITY).unwrap().dimension
             })
             .sum::<f64>()
             / 3.0;
@@ -80,4 +80,15 @@ fn the_projection_keeps_distances_near_its_centre() {
     assert_eq!(p[0], [0.0, 0.0]);
     assert!((p[1][1] / 111_195.0 - 1.0).abs() < 1e-3 && p[1][0].abs() < 1e-6);
     assert!((p[2][0] / (111_195.0 * math::cos(50.0_f64.to_radians())) - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn steps_of_nothing_and_points_without_extent_end_at_once() {
+    let line = [[0.0, 0.0], [5.0, 1.0], [9.0, 0.0]];
+    for least in [0.0, -1.0, f64::NAN, 1e-12] {
+        assert!(dimension_by_divider(&line, least, f64::INFINITY).is_none());
+        assert!(dimension_by_boxes(&[&line], least, f64::INFINITY).is_none());
+    }
+    let point = [[3.0, 3.0]; 4];
+    assert!(dimension_by_divider(&point, 0.0, 1.0).is_none() && dimension_by_boxes(&[&point], 0.1, 1.0).is_none());
 }

@@ -176,12 +176,12 @@ pub fn of_density(grid: &Grid, z: &[f64], window: Window, density: &Density) -> 
     let rings = rings::rings(density);
     let bins = rings::log_bins(density);
     let surface = rings::fit(&rings, density.side);
-    let by_bins: Vec<&LogBin> = bins.iter().filter(|b| b.ring >= 4.0 && b.ring <= density.side as f64 / 4.0).collect();
-    let of = |bins: &[&LogBin]| PowerLaw::of(bins.iter().map(|b| (math::log10(b.ring), math::log10(b.density))));
+    let by_bins = rings::fitted(&bins, density.side);
+    let of = |bins: &[LogBin]| PowerLaw::of(bins.iter().map(|b| (math::log10(b.ring), math::log10(b.density))));
     let half = by_bins.len() / 2;
     Spectrum {
         surface,
-        surface_by_bins: of(&by_bins),
+        surface_by_bins: of(by_bins),
         long_waves: of(&by_bins[..half]),
         short_waves: of(&by_bins[half..]),
         profiles: transects(grid, z, window).map_or(PowerLaw { exponent: f64::NAN, r2: f64::NAN }, |t| t.both),

@@ -60,7 +60,10 @@ pub(super) fn rings(density: &Density) -> Vec<Ring> {
     sums.iter().enumerate().skip(1).filter(|(_, s)| s.1 > 0).map(ring).collect()
 }
 
-/// Bins of a tenth of a decade of wave number, from one wave in the window up to N/2.
+/// The bins' edges are 4 waves per window times powers of 10^0.1; so many bins lie below.
+const BINS_BELOW_FOUR: f64 = 7.0;
+
+/// Bins of a tenth of a decade of wave number up to N/2, edges at ring 4 · 10^(k/10).
 pub(super) fn log_bins(density: &Density) -> Vec<LogBin> {
     let mut sums: Vec<(f64, f64, f64)> = Vec::new();
     for_each(density, |kx, ky, radius, weight| {
@@ -68,7 +71,7 @@ pub(super) fn log_bins(density: &Density) -> Vec<LogBin> {
             return;
         }
         let log = math::log10(radius);
-        let bin = (10.0 * log + 1e-9).floor().max(0.0) as usize;
+        let bin = (10.0 * math::log10(radius / 4.0) + BINS_BELOW_FOUR + 1e-9).floor().max(0.0) as usize;
         if bin >= sums.len() {
             sums.resize(bin + 1, (0.0, 0.0, 0.0));
         }
@@ -83,6 +86,13 @@ pub(super) fn log_bins(density: &Density) -> Vec<LogBin> {
             LogBin { ring, wavelength: 1.0 / (ring * unit), density: sum / count }
         })
         .collect()
+}
+
+/// The bins that lie wholly between rings 4 and N/4.
+pub(super) fn fitted(bins: &[LogBin], side: usize) -> &[LogBin] {
+    let first = bins.iter().position(|b| b.ring >= 4.0).unwrap_or(bins.len());
+    let whole = (10.0 * math::log10(side as f64 / 16.0) + 1e-9).floor().max(0.0) as usize;
+    &bins[first..(first + whole).min(bins.len())]
 }
 
 /// A straight line through rings 4 to N/4.
