@@ -96,7 +96,10 @@ fn onto(a: Ground, b: Ground, scaled: bool) -> landform::core::Result<(HeightFie
     let cells = |k: usize| (ga.origin[k] - gb.origin[k]).abs() / ga.spacing[k];
     let same =
         ga.shape == gb.shape && (0..2).all(|k| (ga.spacing[k] / gb.spacing[k] - 1.0).abs() < 1e-6 && cells(k) < 0.01);
-    if same && ga.georeference.epsg == gb.georeference.epsg {
+    // A file that names no system is taken at its coordinates.
+    let systems = ga.georeference.epsg.zip(gb.georeference.epsg);
+    let other_system = systems.is_some_and(|(a, b)| a != b);
+    if same && !other_system {
         return Ok((a.field, b.field));
     }
     let place = |g: &Grid| {
@@ -111,7 +114,7 @@ fn onto(a: Ground, b: Ground, scaled: bool) -> landform::core::Result<(HeightFie
             apart("the same number of rows and columns")
         };
     }
-    if ga.georeference.epsg != gb.georeference.epsg {
+    if other_system {
         return apart("warp one of them first");
     }
     let overlap = (0..2).all(|k| {

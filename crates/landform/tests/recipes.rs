@@ -57,7 +57,13 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
         (s("[[stage]]\nuse = \"stream_graph\"\nnodes = 3"), 3, "`nodes` is 3", ""),
         (s("[[stage]]\nuse = \"stream_graph\"\nnodes = -3"), 3, "`nodes`", ""),
         (s("[[stage]]\nuse = \"stream_graph\"\nopen = []"), 3, "`open` is []", ""),
-        (s("[[stage]]\nuse = \"stream_graph\"\nopen = [\"up\"]"), 3, "unknown variant `up`", ""),
+        (s("[[stage]]\nuse = \"stream_graph\"\nopen = [\"up\"]"), 3, "there is no \"up\", expected one of north", ""),
+        (
+            s("[[stage]]\nuse = \"noise\"\nbasis = \"perlinn\""),
+            3,
+            "there is no \"perlinn\"",
+            "did you mean \"perlin\"?",
+        ),
         (s("[[stage]]\nuse = \"elevation_file\""), 1, "`path` is \"\"", ""),
         (after_head("[[stage]]\nuse = \"uplift\""), 4, "process `uplift` has no `clock`", "for example clock"),
         (after_head("[[stage]]\nuse = \"uplift\"\nclock = { dt = \"1 kyr\" }"), 5, "`clock` is without end", ""),
@@ -71,7 +77,7 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
         (
             after_head("[[stage]]\nuse = \"uplift\"\nclock = { dt = \"1 kyr\", until = \"stedy\" }"),
             5,
-            "unknown variant `stedy`",
+            "there is no \"stedy\"",
             "",
         ),
         (after_head("[[stage]]\nuse = \"evolve\""), 4, "`evolve` has no `clock`", ""),
@@ -120,7 +126,7 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
         ),
         (after_head("[[stage]]\nuse = \"write_raster\"\npath = \"../a.tif\""), 5, "`path` is \"../a.tif\"", ""),
         (after_head("[[stage]]\nuse = \"write_picture\"\npath = \"a.jpg\""), 5, "ends with .png", ""),
-        (after_head("[[stage]]\nuse = \"write_picture\"\nview = \"top\""), 5, "unknown variant `top`", ""),
+        (after_head("[[stage]]\nuse = \"write_picture\"\nview = \"top\""), 5, "there is no \"top\"", ""),
         (after_head("[[stage]]\nuse = \"drainage\"\nfrom = \"x\""), 5, "has the label `x`", ""),
         (
             s("[[stage]]\nuse = \"flat\"\nlabel = \"a\"\n[[stage]]\nuse = \"flat\"\nlabel = \"a\""),
@@ -136,7 +142,7 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
             "",
         ),
         (process("{ use = \"stream_power\", deposition = -1 }"), 6, "`deposition` is -1", ""),
-        (process("{ use = \"stream_power\", descent = \"up\" }"), 6, "unknown variant `up`", ""),
+        (process("{ use = \"stream_power\", descent = \"up\" }"), 6, "there is no \"up\"", ""),
         (process("{ use = \"stream_power\", talus_relaxation = \"1 mm/yr\" }"), 6, "together with talus_angle", ""),
         (process("{ use = \"stream_power\", sea_level = \"1 yr\" }"), 6, "wrong dimension", ""),
         (

@@ -294,9 +294,9 @@ impl EntryReader<'_> {
         }
         if let Some(word) = message.strip_prefix("unknown variant `").and_then(|m| m.split('`').next()) {
             let listed: Vec<&str> = message.split('`').skip(3).step_by(2).collect();
-            let near = nearest(word, listed.iter().copied()).map(|n| format!("did you mean \"{n}\"? "));
-            let hint = format!("{}it may be {}", near.unwrap_or_default(), listed.join(", "));
-            return self.error(span, format!("`{stage}`, `{path}`: there is no \"{word}\""), Some(hint));
+            let hint = nearest(word, listed.iter().copied()).map(|n| format!("did you mean \"{n}\"?"));
+            let what = format!("`{stage}`, `{path}`: there is no \"{word}\", expected one of {}", listed.join(", "));
+            return self.error(span, what, hint);
         }
         let plain =
             message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");

@@ -5,7 +5,7 @@
 //! crease at the seam and half of the independent coefficients); the squared transform, scaled so that its integral over all wave numbers
 //! is the variance; means over rings of one wave number. The exponent is a straight line through log mean power over log wave number.
 //!
-//! The slope is the test, never the goodness of the fit alone: see [`seed`](Seed2010).
+//! The slope is the test, never the goodness of the fit alone: see [`SeedFit`].
 //!
 //! # Sources
 //! Voss (1988); Saupe (1988): a surface of Hurst exponent H has radially averaged density k^−(2H+2) and profiles of density k^−(2H+1). Pytel's thesis
