@@ -18,7 +18,7 @@ svg .dashed{stroke-dasharray:6 4}svg{max-width:100%;height:auto}.plots>*{flex:0 
 .card td{vertical-align:top}.card td:nth-child(2){text-align:left}.card td:nth-child(3){color:inherit}.n{font-variant-numeric:tabular-nums;white-space:nowrap}
 .note{color:var(--faint);font-size:.85rem}.verdict{font-size:1.1rem;border-left:4px solid var(--accent);padding:.2rem 0 .2rem .8rem}
 .gauge{vertical-align:middle;margin-right:.5rem}.gauge .span{fill:var(--line)}.gauge .inside{fill:var(--good)}.gauge .outside{fill:var(--bad)}
-span.inside,td.inside{color:var(--good)}span.outside,td.outside{color:var(--bad);font-weight:600}span.none{color:var(--faint)}.sources{font-size:.85rem}";
+span.inside,.card td.inside{color:var(--good)}span.outside,.card td.outside{color:var(--bad);font-weight:600}span.none{color:var(--faint)}.sources{font-size:.85rem}";
 
 pub(super) fn page(title: &str, body: &str) -> String {
     let title = escape(title);

@@ -99,7 +99,7 @@ impl Plot {
             let points: Vec<_> = series.points.iter().filter(finite).map(|p| (frame.px(p.0), frame.py(p.1))).collect();
             draw(series.style, k % 3, &points, &frame, &mut svg);
         }
-        self.draw_legend(&mut svg);
+        self.draw_legend(&frame, &mut svg);
         svg + "</svg>"
     }
 
@@ -126,27 +126,30 @@ impl Plot {
         write!(svg, "<text transform=\"{turned}\" text-anchor=\"middle\">{}</text>", self.y.label).ok();
     }
 
-    fn draw_legend(&self, svg: &mut String) {
-        let named = self.series.iter().enumerate().filter(|(_, s)| !s.label.is_empty());
-        for (line, (k, series)) in named.enumerate() {
-            let y = TOP + 14.0 + 16.0 * line as f64;
-            let x = WIDTH - RIGHT - 8.0;
-            if series.style == Style::Dots {
-                write!(svg, "<circle class=\"mark s{}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\"/>", k % 3, x - 8.0, y - 4.0)
-                    .ok();
-                write!(
-                    svg,
-                    "<text x=\"{:.1}\" y=\"{y:.1}\" text-anchor=\"end\">{}</text>",
-                    x - 22.0,
-                    escape(&series.label)
-                )
-                .ok();
-                continue;
+    /// In the upper right corner, or in the lower one where the curves rise into the upper.
+    fn draw_legend(&self, frame: &Frame, svg: &mut String) {
+        let named: Vec<_> = self.series.iter().enumerate().filter(|(_, s)| !s.label.is_empty()).collect();
+        let right = self.series.iter().flat_map(|s| &s.points).filter(|p| p.0 > 0.4 * frame.x.0 + 0.6 * frame.x.1);
+        let (mut sum, mut count) = (0.0, 0.0);
+        for p in right.filter(|p| p.1.is_finite()) {
+            (sum, count) = (sum + frame.py(p.1), count + 1.0);
+        }
+        let is_low = count > 0.0 && sum / count > 0.5 * (TOP + HEIGHT - BOTTOM);
+        let top = if is_low { TOP + 14.0 } else { HEIGHT - BOTTOM + 4.0 - 16.0 * named.len() as f64 };
+        let x = WIDTH - RIGHT - 8.0;
+        for (line, (k, series)) in named.into_iter().enumerate() {
+            let (y, k) = (top + 16.0 * line as f64, k % 3);
+            match series.style {
+                Style::Dots => {
+                    write!(svg, "<circle class=\"mark s{k}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\"/>", x - 8.0, y - 4.0)
+                        .ok();
+                }
+                style => {
+                    let class = if style == Style::Bars { "mark" } else { "line" };
+                    let dash = if style == Style::Dashed { " dashed" } else { "" };
+                    write!(svg, "<path class=\"{class} s{k}{dash}\" d=\"M{:.1} {:.1}h16\"/>", x - 16.0, y - 4.0).ok();
+                }
             }
-            let class = if series.style == Style::Bars { "mark" } else { "line" };
-            let dash = if series.style == Style::Dashed { " dashed" } else { "" };
-            write!(svg, "<path class=\"{class} s{}{dash}\" d=\"M{:.1} {:.1}h16v2h-16z\"/>", k % 3, x - 16.0, y - 5.0)
-                .ok();
             write!(
                 svg,
                 "<text x=\"{:.1}\" y=\"{y:.1}\" text-anchor=\"end\">{}</text>",
