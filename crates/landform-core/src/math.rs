@@ -4,7 +4,7 @@
 //! exact everywhere and stays as it is. The only place where the platform's could be called by mistake is caught by
 //! `clippy.toml`.
 
-pub use libm::{acos, asin, atan, atan2, ceil, cos, exp, floor, hypot, log, log2, log10, sin, tan};
+pub use libm::{acos, asin, atan, atan2, cbrt, ceil, cos, exp, floor, hypot, log, log2, log10, sin, tan};
 
 /// `x` to the power `p`, by the exact path for the exponents that landscapes use most (0, ½, 1, 2).
 #[inline]

@@ -3,7 +3,7 @@
 //! # Sources
 //! Ottosson (2020), Oklab. The stops of the ramps are our own; each rises steadily in lightness where it shows a quantity.
 
-use landform_core::math::{lerp, pow};
+use landform_core::math::{cbrt, lerp, pow};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -79,10 +79,11 @@ pub(super) fn mix(a: Rgb, b: Rgb, t: f64) -> Rgb {
     from_oklab([0, 1, 2].map(|k| lerp(a[k], b[k], t.clamp(0.0, 1.0))))
 }
 
-fn to_oklab([r, g, b]: Rgb) -> Rgb {
-    let l = libm_cbrt(0.412_221_470_8 * r + 0.536_332_536_3 * g + 0.051_445_992_9 * b);
-    let m = libm_cbrt(0.211_903_498_2 * r + 0.680_699_545_1 * g + 0.107_396_956_6 * b);
-    let s = libm_cbrt(0.088_302_461_9 * r + 0.281_718_837_6 * g + 0.629_978_700_5 * b);
+/// A linear colour in Oklab, where colours are mixed by plain means.
+pub(super) fn to_oklab([r, g, b]: Rgb) -> Rgb {
+    let l = root(0.412_221_470_8 * r + 0.536_332_536_3 * g + 0.051_445_992_9 * b);
+    let m = root(0.211_903_498_2 * r + 0.680_699_545_1 * g + 0.107_396_956_6 * b);
+    let s = root(0.088_302_461_9 * r + 0.281_718_837_6 * g + 0.629_978_700_5 * b);
     [
         0.210_454_255_3 * l + 0.793_617_785_0 * m - 0.004_072_046_8 * s,
         1.977_998_495_1 * l - 2.428_592_205_0 * m + 0.450_593_709_9 * s,
@@ -90,11 +91,12 @@ fn to_oklab([r, g, b]: Rgb) -> Rgb {
     ]
 }
 
-fn libm_cbrt(v: f64) -> f64 {
-    pow(v.max(0.0), 1.0 / 3.0)
+fn root(v: f64) -> f64 {
+    cbrt(v.max(0.0))
 }
 
-fn from_oklab([lightness, a, b]: Rgb) -> Rgb {
+/// The linear colour of one in Oklab.
+pub(super) fn from_oklab([lightness, a, b]: Rgb) -> Rgb {
     let cube = |v: f64| v * v * v;
     let l = cube(lightness + 0.396_337_777_4 * a + 0.215_803_757_3 * b);
     let m = cube(lightness - 0.105_561_345_8 * a - 0.063_854_172_8 * b);

@@ -12,7 +12,7 @@ use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{math, parallel};
 
-use super::colour::{Rgb, blend, hex, mix, scale, to_srgb};
+use super::colour::{Rgb, blend, from_oklab, hex, mix, scale, to_oklab, to_srgb};
 use super::light::{sky_view, sun_view};
 use super::pyramid::Pyramid;
 use super::{Picture, waters};
@@ -65,6 +65,8 @@ const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
 const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];
 /// Optical depth of air over the length of both sides of the block.
 const HAZE: f64 = 0.35;
+/// Steps of the sky's ramp; more would not show in eight bits.
+const SKY_STEPS: usize = 512;
 const ZENITH: u32 = 0x8fb2d6;
 const HORIZON: u32 = 0xe6ebee;
 
@@ -169,6 +171,7 @@ struct Scene {
     high: f64,
     foot: f64,
     sun: Vector,
+    background: Vec<Rgb>,
 }
 
 impl Scene {
@@ -205,12 +208,13 @@ impl Scene {
             high: surface_high,
             foot,
             sun: [math::sin(view.sun) * ca, math::cos(view.sun) * ca, math::sin(view.sun_altitude)],
+            background: sky_ramp(),
         }
     }
 
     fn trace(&self, from: Vector, direction: Vector) -> Rgb {
         let Some((enter, leave)) = self.box_span(from, direction) else {
-            return background(direction);
+            return sky_colour(&self.background, direction[2]);
         };
         let start = enter.max(0.0);
         let p = along(from, direction, start);
@@ -219,12 +223,12 @@ impl Scene {
         } else {
             match self.march(from, direction, start, leave) {
                 Some(t) => (self.shade(along(from, direction, t), direction), t),
-                None => return background(direction),
+                None => return sky_colour(&self.background, direction[2]),
             }
         };
         // Only air over the block hazes: the camera stands far back, as before a model.
         let haze = 1.0 - math::exp(-HAZE * (hit - start) / (self.extent[0] + self.extent[1]));
-        blend(colour, background([direction[0], direction[1], 0.0]), haze)
+        blend(colour, sky_colour(&self.background, 0.0), haze)
     }
 
     /// Where a ray is inside the block's box.
@@ -357,7 +361,7 @@ impl Scene {
         let below = blend(scale(ground, 0.7), deep, murk);
         let facing = (-direction[2]).clamp(0.0, 1.0);
         let mirror = 0.03 + 0.97 * math::pow(1.0 - facing, 5.0);
-        let reflected = background([direction[0], direction[1], -direction[2]]);
+        let reflected = sky_colour(&self.background, -direction[2]);
         blend(below, reflected, mirror)
     }
 
@@ -389,8 +393,31 @@ fn water_depth(field: &HeightField, lo: f64, hi: f64) -> Vec<f64> {
     (0..z.len()).map(|i| if has_sea && z[i] < 0.0 { -z[i] } else { water.lake[i] }).collect()
 }
 
-/// Colours of the ground.
+/// Colours of the ground: each a pair between which patches vary, in Oklab, so that a node's colour is a few plain means.
+struct Inks {
+    meadow: [Rgb; 2],
+    heath: [Rgb; 2],
+    rock: [Rgb; 2],
+    snow: Rgb,
+    river: Rgb,
+}
+
+impl Inks {
+    fn new() -> Self {
+        let ink = |code: u32| to_oklab(hex(code));
+        Self {
+            meadow: [ink(0x59693c), ink(0x7d7d50)],
+            heath: [ink(0x7a7056), ink(0x92856c)],
+            rock: [ink(0x7d736a), ink(0x9d948a)],
+            snow: ink(0xdfe4ea),
+            river: ink(0x35617f),
+        }
+    }
+}
+
+/// What the ground's colours follow.
 struct Paint {
+    inks: Inks,
     river: Vec<f64>,
     low: f64,
     relief: f64,
@@ -401,6 +428,7 @@ impl Paint {
     fn new(field: &HeightField, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
         let low = if lo < 0.0 && hi > 0.0 { 0.0 } else { lo };
         Self {
+            inks: Inks::new(),
             river: waters(field).river,
             low: low * exaggeration,
             relief: ((hi - low) * exaggeration).max(1e-9),
@@ -414,21 +442,32 @@ impl Paint {
         let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
         let patch = fbm(Seed(3), 24.0 * x / size, 24.0 * y / size, 5, 2.0, 0.55);
         let height = (z[i] - self.low) / self.relief + 0.07 * patch;
-        let meadow = mix(hex(0x59693c), hex(0x7d7d50), 0.5 + 0.8 * patch);
-        let heath = mix(hex(0x7a7056), hex(0x92856c), 0.5 + 0.7 * patch);
-        let rock = mix(hex(0x7d736a), hex(0x9d948a), 0.5 + 0.8 * patch);
-        let mut colour = mix(meadow, heath, math::smoothstep(0.18, 0.55, height));
-        colour = mix(colour, rock, math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0)));
+        let mean = |a: Rgb, b: Rgb, t: f64| blend(a, b, t.clamp(0.0, 1.0));
+        let patched = |[a, b]: [Rgb; 2], strength: f64| mean(a, b, 0.5 + strength * patch);
+        let Inks { meadow, heath, rock, snow: white, river: blue } = &self.inks;
+        let mut colour = mean(patched(*meadow, 0.8), patched(*heath, 0.7), math::smoothstep(0.18, 0.55, height));
+        let steep = math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0));
+        colour = mean(colour, patched(*rock, 0.8), steep);
         let snow = math::smoothstep(0.70, 0.84, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));
-        colour = mix(colour, hex(0xdfe4ea), snow * math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
+        colour = mean(colour, *white, snow * math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
         let river = self.river[i];
-        if river > 0.45 { mix(colour, hex(0x35617f), math::smoothstep(0.45, 0.8, river)) } else { colour }
+        if river > 0.45 {
+            colour = mean(colour, *blue, math::smoothstep(0.45, 0.8, river));
+        }
+        from_oklab(colour)
     }
 }
 
-fn background(direction: Vector) -> Rgb {
-    let t = math::smoothstep(-0.35, 0.45, direction[2]);
-    mix(hex(HORIZON), hex(ZENITH), t)
+/// The sky from the horizon to the zenith: mixing in Oklab costs too much to do for each ray.
+fn sky_ramp() -> Vec<Rgb> {
+    (0..=SKY_STEPS).map(|k| mix(hex(HORIZON), hex(ZENITH), k as f64 / SKY_STEPS as f64)).collect()
+}
+
+/// Colour of the sky in a direction that rises by `up`.
+fn sky_colour(ramp: &[Rgb], up: f64) -> Rgb {
+    let t = math::smoothstep(-0.35, 0.45, up) * SKY_STEPS as f64;
+    let k = (t as usize).min(SKY_STEPS - 1);
+    blend(ramp[k], ramp[k + 1], t - k as f64)
 }
 
 fn along(from: Vector, direction: Vector, t: f64) -> Vector {
