@@ -6,7 +6,6 @@ use super::{
     Coast, Drainage, Form, Hypsometry, Network, Spectrum, Surface, Variogram, coast, density, form, network,
     of_density, of_sorted, share_in_sinks, surface, variogram,
 };
-use crate::algo::isoline::Isoline;
 use crate::terrain::{HeightField, NodeSurface};
 use crate::{Error, Result, parallel};
 
@@ -63,8 +62,6 @@ pub struct Metrics {
 /// What is drawn rather than told.
 #[derive(Clone, Debug)]
 pub struct Drawings {
-    /// Lines of the coast.
-    pub coast: Vec<Isoline>,
     /// The spectrum on logarithmic axes, [`SPECTRUM_PLOT`]² values; see [`Density::log_plot`](super::Density::log_plot).
     pub spectrum: Option<Vec<f64>>,
 }
@@ -99,7 +96,7 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
     let (grid, z) = (&land.grid, land.elevation());
     let mut sorted: Vec<f64> = z.iter().copied().filter(|z| !z.is_nan()).collect();
     parallel::sort_by(&mut sorted, |a, b| b.total_cmp(a));
-    let (coast, lines) = coast(&field.grid, field.elevation(), level_of(&sorted));
+    let (coast, _) = coast(&field.grid, field.elevation(), level_of(&sorted));
     let elevations = elevations(land, &sorted);
     let hypsometry = of_sorted(&sorted);
     drop(sorted);
@@ -126,7 +123,7 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
         coast,
         sea_level,
     };
-    Ok((metrics, Drawings { coast: lines, spectrum: plot }))
+    Ok((metrics, Drawings { spectrum: plot }))
 }
 
 /// Beyond this, squares of squares lose their meaning.

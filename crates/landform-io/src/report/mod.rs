@@ -27,7 +27,7 @@ pub struct Analysis {
     pub card: Vec<CardLine>,
     /// All measures.
     pub metrics: Metrics,
-    /// Lines and the plot of the spectrum.
+    /// The plot of the spectrum.
     #[serde(skip)]
     pub drawings: Option<Drawings>,
 }

@@ -54,7 +54,6 @@ fn level_sets_read_what_the_calibration_reads() {
             })
             .sum::<f64>()
             / 3.0;
-        println!("H = {hurst}: {mean:.3} for {reads}");
         assert!((mean - reads).abs() < 0.05, "H = {hurst}: {mean}");
     }
 }
