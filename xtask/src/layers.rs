@@ -14,9 +14,10 @@ const CORE_RANKS: &[(&str, u32)] = &[
     ("field", 3),
     ("terrain", 4),
     ("algo", 5),
-    ("verb", 6),
-    ("analysis", 7),
-    ("sim", 7),
+    ("agents", 6),
+    ("verb", 7),
+    ("analysis", 8),
+    ("sim", 8),
 ];
 /// Modules of rank 1 may use each other downwards.
 const SAME_RANK_ALLOWED: u32 = 1;

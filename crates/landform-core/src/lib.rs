@@ -9,11 +9,13 @@
 //! | [`field`] | named, typed values per node |
 //! | [`terrain`] | the representations: [`HeightField`](terrain::HeightField), [`Mesh`](terrain::Mesh) |
 //! | [`algo`] | flow routing, depressions, derivatives, noise, sampling |
+//! | [`agents`] | groups, searches, avalanches, automata, sand: the self-organised framework |
 //! | [`verb`] | parameters, values that vary in space, and the six verbs |
 //! | [`analysis`], [`sim`] | read-only measures; the driver of processes in time |
 //!
 //! All quantities inside are SI (metres, seconds); see [`units`] for how people write them.
 
+pub mod agents;
 pub mod algo;
 pub mod analysis;
 pub mod error;

@@ -2,6 +2,7 @@
 
 pub mod depression;
 pub mod derivative;
+pub mod fast_marching;
 pub mod flow;
 pub mod fourier;
 pub mod horizon;

@@ -6,6 +6,7 @@ mod georeference;
 mod graph;
 #[expect(clippy::module_inception, reason = "the grid is what the folder is named for")]
 mod grid;
+mod lattice;
 mod raster;
 mod shape;
 
@@ -16,5 +17,6 @@ pub use georeference::{Georeference, Registration};
 pub use graph::Graph;
 pub(crate) use graph::Links;
 pub use grid::Grid;
+pub use lattice::Lattice;
 pub use raster::RasterDomain;
 pub use shape::{Cell, Shape};
