@@ -112,6 +112,7 @@ fn outcome_line(o: &Outcome) -> String {
         Stopped::Steady => "steady",
         Stopped::Cancelled => "cancelled",
         Stopped::ByObserver => "stopped",
+        Stopped::AtRest => "at rest",
     };
     let residual = o.residual.map(|r| format!(", residual {r:.2e}")).unwrap_or_default();
     format!("{why} after {} steps, {}{residual}; mass closes to {:.0e}", o.steps, years(o.time), o.budget.imbalance())

@@ -50,6 +50,12 @@ impl Seed {
         (radius * math::cos(angle), radius * math::sin(angle))
     }
 
+    /// A stream of bits, for inner loops that draw by the million.
+    #[inline]
+    pub fn stream(self) -> Stream {
+        Stream(self.0)
+    }
+
     /// A sequence of draws, for algorithms that are sequential by nature.
     pub fn draws(self) -> Draws {
         Draws { seed: self, count: 0 }
@@ -75,6 +81,25 @@ impl Draws {
     #[inline]
     pub fn below(&mut self, n: usize) -> usize {
         ((self.uniform() * n as f64) as usize).min(n.saturating_sub(1))
+    }
+}
+
+/// A stream of random bits from one seed: SplitMix64 as published, one mixing a draw.
+#[derive(Clone, Debug)]
+pub struct Stream(u64);
+
+impl Stream {
+    /// The next 64 bits.
+    #[inline]
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(GOLDEN);
+        mix(self.0)
+    }
+
+    /// An index below `n` (at most 2³²) from 32 bits.
+    #[inline]
+    pub fn index(bits: u32, n: usize) -> usize {
+        ((u64::from(bits) * n as u64) >> 32) as usize
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are coupled by a recipe.
 
+pub mod dune;
 pub mod edit;
 pub mod generate;
 pub mod hillslope;

@@ -1,5 +1,7 @@
 //! Loose material in slabs that slips at the angle of repose.
 
+use serde::{Deserialize, Serialize};
+
 use crate::grid::Shape;
 use crate::math;
 
@@ -8,7 +10,7 @@ use crate::math;
 /// or a field whose sides sand does not slip over.
 ///
 /// **Cost** of putting or taking: O(1) for sand at rest, and the length of the avalanche else; never the size of the field.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sand {
     shape: Shape,
     torus: bool,
@@ -21,6 +23,7 @@ pub struct Sand {
     /// How much slips at once.
     slab: i32,
     swallowed: i64,
+    #[serde(skip)]
     pending: Vec<usize>,
 }
 
@@ -90,6 +93,24 @@ impl Sand {
     /// What sinks swallowed so far, units.
     pub fn swallowed(&self) -> i64 {
         self.swallowed
+    }
+
+    /// How much slips at once, units.
+    pub fn slab(&self) -> i32 {
+        self.slab
+    }
+
+    /// Sets the height of the hard ground; sand on it goes up and down with it. Call [`Sand::settle`] after.
+    pub fn set_ground(&mut self, site: usize, units: i32) {
+        self.surface[site] = units + self.depth(site);
+    }
+
+    /// Takes up to so much sand without letting any slip; call [`Sand::settle`] after. How much was taken.
+    pub fn lift(&mut self, site: usize, units: i32) -> i32 {
+        let taken = units.min(self.depth(site));
+        self.depth[site] -= taken.max(0);
+        self.surface[site] -= taken.max(0);
+        taken
     }
 
     /// How much slips at once from now on.

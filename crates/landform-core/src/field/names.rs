@@ -57,6 +57,20 @@ pub const SPREAD_AREA: Key<f64> =
     Key::new("spread_area", "m2", "upslope area, own cell included, by D-infinity: water spreads over two neighbours");
 /// A mask.
 pub const MASK: Key<f64> = Key::new("mask", "1", "how much a place is chosen, 0 to 1");
+/// Depth of loose sand.
+pub const SAND_DEPTH: Key<f64> =
+    Key::new("sand_depth", "m", "depth of loose sand on hard ground, part of the elevation");
+/// Depth of snow.
+pub const SNOW_DEPTH: Key<f64> = Key::new("snow_depth", "m", "depth of snow on the ground, part of the elevation");
+/// Strength of the wind.
+pub const WIND: Key<f64> =
+    Key::new("wind", "1", "strength of the wind over the ground, 1 where nothing stands in its way");
+/// When the sea came.
+pub const SHORE_AGE: Key<u32> =
+    Key::new("shore_age", "1", "round in which the sea took the place; 0 where it did not, or was before");
+/// Level set of a coast.
+pub const LEVEL_SET: Key<u32> =
+    Key::new("level_set", "1", "number of the historic coast that the place lies within; 0 at sea");
 /// Name, unit and meaning of every standard field.
 pub const ALL: &[(&str, &str, &str)] = &[
     (ELEVATION.name, ELEVATION.unit, ELEVATION.meaning),
@@ -77,6 +91,11 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (EXPOSURE.name, EXPOSURE.unit, EXPOSURE.meaning),
     (SPREAD_AREA.name, SPREAD_AREA.unit, SPREAD_AREA.meaning),
     (MASK.name, MASK.unit, MASK.meaning),
+    (SAND_DEPTH.name, SAND_DEPTH.unit, SAND_DEPTH.meaning),
+    (SNOW_DEPTH.name, SNOW_DEPTH.unit, SNOW_DEPTH.meaning),
+    (WIND.name, WIND.unit, WIND.meaning),
+    (SHORE_AGE.name, SHORE_AGE.unit, SHORE_AGE.meaning),
+    (LEVEL_SET.name, LEVEL_SET.unit, LEVEL_SET.meaning),
 ];
 
 /// Unit of a standard field.

@@ -8,6 +8,7 @@ use crate::{Error, Result};
 pub(super) trait Running<T: Terrain>: Send {
     fn name(&self) -> &'static str;
     fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()>;
+    fn is_at_rest(&self, terrain: &T) -> bool;
     fn max_step(&self, terrain: &T) -> Option<f64>;
     fn begin(&mut self, terrain: &T, at: &Step) -> Result<()>;
     fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change>;
@@ -30,6 +31,10 @@ impl<T: Terrain, P: Process<T>> Running<T> for Run<P, P::State> {
     fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()> {
         self.state = Some(self.params.start(terrain, context)?);
         Ok(())
+    }
+
+    fn is_at_rest(&self, terrain: &T) -> bool {
+        self.state.as_ref().is_some_and(|s| self.params.is_at_rest(terrain, s))
     }
 
     fn max_step(&self, terrain: &T) -> Option<f64> {

@@ -339,6 +339,8 @@ impl<'a, T: Terrain> Simulation<'a, T> {
             Some(Stopped::EndTime)
         } else if self.stop.steady.zip(self.clock.residual).is_some_and(|(tolerance, r)| r <= tolerance) {
             Some(Stopped::Steady)
+        } else if !self.processes.is_empty() && self.processes.iter().all(|p| p.is_at_rest(&self.terrain)) {
+            Some(Stopped::AtRest)
         } else if self.steps_are_used_up(self.clock.steps) {
             Some(Stopped::MaxSteps)
         } else if self.cancel.is_cancelled() {

@@ -13,6 +13,7 @@ mod outlets;
 mod output;
 mod params;
 mod varying;
+mod wind;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -28,6 +29,7 @@ pub use outlets::{BorderWhere, Mask, NamedOutlets, Outlets};
 pub use output::{MemoryOutput, Output, relative_path};
 pub use params::{Params, Source, properties, validate_ranges};
 pub use varying::{Context, Image, Maps, NoMaps, Resolved, Varying};
+pub use wind::{Rose, Wind};
 
 use crate::Result;
 use crate::random::Seed;
@@ -133,6 +135,16 @@ pub trait Process<T: Terrain>: Params {
     /// What the terrain or the parameters are wrong in.
     fn start(&self, terrain: &mut T, context: &Context) -> Result<Self::State>;
 
+    /// The clock of a process that counts its own rounds, for recipes that give none.
+    fn own_clock(&self) -> Option<OwnClock> {
+        None
+    }
+
+    /// Whether nothing is left to do; a run ends when all its processes say so.
+    fn is_at_rest(&self, _terrain: &T, _state: &Self::State) -> bool {
+        false
+    }
+
     /// The longest step that may be taken, s; none if any.
     fn max_step(&self, _terrain: &T, _state: &Self::State) -> Option<f64> {
         None
@@ -160,6 +172,17 @@ pub trait Process<T: Terrain>: Params {
     fn finish(&self, _terrain: &mut T, _state: &mut Self::State) -> Result<()> {
         Ok(())
     }
+}
+
+/// The clock of a process that counts its own rounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OwnClock {
+    /// Length of a round, s; a year where the process knows no time.
+    pub dt: f64,
+    /// Most rounds.
+    pub rounds: u64,
+    /// Whether `dt` means anything.
+    pub is_timed: bool,
 }
 
 /// Where in time a step is.

@@ -17,6 +17,8 @@ pub enum Stopped {
     Cancelled,
     /// An observer asked for it.
     ByObserver,
+    /// Nothing was left to do.
+    AtRest,
 }
 
 /// Volumes moved in a run, m³.

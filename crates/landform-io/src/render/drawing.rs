@@ -5,6 +5,8 @@ use landform_core::field::names;
 use landform_core::math;
 use landform_core::terrain::{HeightField, NodeSurface};
 
+use super::cover::Cover;
+
 /// Standing and running water on a raster.
 #[derive(Clone, Debug)]
 pub struct Waters {
@@ -17,9 +19,12 @@ pub struct Waters {
 /// The shallowest water that counts as a lake, m, before relief is considered.
 const SHALLOWEST: f64 = 0.5;
 
-/// Lakes and rivers of a raster: from its fields if it has them, else by routing over it.
+/// Lakes and rivers of a raster: from its fields if it has them, else by routing over it; none where there is loose sand to sink into.
 pub fn waters(field: &HeightField) -> Waters {
     let n = field.grid.len();
+    if Cover::of(field).is_desert() {
+        return Waters { lake: vec![0.0; n], river: vec![0.0; n] };
+    }
     let known = field.fields.get(&names::DRAINAGE_AREA, "").ok().zip(field.fields.get(&names::LAKE_DEPTH, "").ok());
     let (area, depth) = match known {
         Some((area, depth)) => (area.to_vec(), depth.to_vec()),

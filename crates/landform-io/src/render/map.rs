@@ -6,6 +6,7 @@ use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{Result, math, parallel};
 
 use super::colour::{Rgb, blend, hex, mix, scale, sea, to_srgb};
+use super::cover::Cover;
 use super::light::sky_view;
 use super::{Picture, Ramp, waters};
 
@@ -46,6 +47,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     let shade = relief(grid, z, hi - lo);
     let water = style.water.then(|| waters(field));
     let land_low = if has_sea { 0.0 } else { lo };
+    let cover = Cover::of(field);
     let colours = parallel::map(z.len(), |i| {
         if z[i].is_nan() {
             return hex(NOTHING);
@@ -54,7 +56,10 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
         let mut colour = if under_sea {
             sea((z[i] / lo).sqrt())
         } else {
-            style.ramp.at((z[i] - land_low) / (hi - land_low).max(1e-9))
+            let height = (z[i] - land_low) / (hi - land_low).max(1e-9);
+            // Of the ramp a little stays, lighter upwards.
+            let ground = style.ramp.at(if cover.is_desert() { 0.45 + 0.5 * height } else { height });
+            cover.tint(ground, i, 0.7)
         };
         colour = scale(colour, if under_sea { 0.5 + 0.5 * shade[i] } else { shade[i] });
         if let Some(water) = &water

@@ -1,6 +1,7 @@
 //! Pictures, on the CPU: a shaded map and a perspective view. Pixels come back as buffers; `format` makes files of them.
 
 mod colour;
+mod cover;
 mod drawing;
 mod light;
 mod map;

@@ -13,6 +13,7 @@ use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{math, parallel};
 
 use super::colour::{Rgb, blend, from_oklab, hex, mix, scale, to_oklab, to_srgb};
+use super::cover::Cover;
 use super::light::{sky_view, sun_view};
 use super::pyramid::Pyramid;
 use super::{Picture, waters};
@@ -419,6 +420,7 @@ impl Inks {
 struct Paint {
     inks: Inks,
     river: Vec<f64>,
+    cover: Cover,
     low: f64,
     relief: f64,
     exaggeration: f64,
@@ -430,6 +432,7 @@ impl Paint {
         Self {
             inks: Inks::new(),
             river: waters(field).river,
+            cover: Cover::of(field),
             low: low * exaggeration,
             relief: ((hi - low) * exaggeration).max(1e-9),
             exaggeration,
@@ -454,7 +457,7 @@ impl Paint {
         if river > 0.45 {
             colour = mean(colour, *blue, math::smoothstep(0.45, 0.8, river));
         }
-        from_oklab(colour)
+        self.cover.tint(from_oklab(colour), i, 0.92 + 0.08 * patch)
     }
 }
 

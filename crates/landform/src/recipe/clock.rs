@@ -2,6 +2,7 @@
 
 use landform_core::sim::Stop;
 use landform_core::units::{Duration, MYR, Quantity};
+use landform_core::verb::OwnClock;
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,6 +30,9 @@ pub struct Clock {
     /// needs tens of steps rather than hundreds. With `until = "steady"` alone, and a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
+    /// Whether the clock counts rounds that stand for no time.
+    #[serde(skip)]
+    pub timeless: bool,
 }
 
 /// What to wait for.
@@ -41,11 +45,24 @@ pub enum Until {
 
 impl Default for Clock {
     fn default() -> Self {
-        Self { dt: Quantity::of(0.0), duration: None, until: None, tolerance: 1e-3, max_steps: None, refine: 0 }
+        Self {
+            dt: Quantity::of(0.0),
+            duration: None,
+            until: None,
+            tolerance: 1e-3,
+            max_steps: None,
+            refine: 0,
+            timeless: false,
+        }
     }
 }
 
 impl Clock {
+    /// The clock of a process that counts its own rounds.
+    pub(super) fn of_rounds(own: OwnClock) -> Self {
+        Self { dt: Quantity::from_si(own.dt), max_steps: Some(own.rounds), timeless: !own.is_timed, ..Self::default() }
+    }
+
     /// When to stop.
     pub fn stop(&self) -> Stop {
         Stop {

@@ -131,23 +131,25 @@ impl EntryReader<'_> {
             return self.evolve(span, node, kind);
         }
         let stage = self.find(name, span, kind)?;
-        let clock = match (stage.verb, node.remove("clock")) {
+        let given = match (stage.verb, node.remove("clock")) {
             (Verb::Process, Some(entry)) => Some(self.clock(&entry.node)?),
-            (Verb::Process, None) => {
-                let hint = Some("for example clock = { duration = \"1 Myr\", dt = \"10 kyr\" }".into());
-                return Err(self.error(span, format!("process `{name}` has no `clock`"), hint));
-            }
             (_, Some(entry)) => {
                 return Err(self.error(&entry.span, format!("`{name}` is no process and takes no `clock`"), None));
             }
             (_, None) => None,
         };
-        let watch = clock.as_ref().map(|clock| self.watch(node, clock)).transpose()?.flatten();
+        if stage.verb != Verb::Process {
+            self.check(stage, node)?;
+            return Ok(Work::Once(stage, node.json()));
+        }
+        let watch = node.remove("watch");
         self.check(stage, node)?;
-        Ok(match clock {
-            Some(clock) => Work::Evolve(Box::new(Evolve { clock, parts: vec![(stage, node.json())], watch })),
-            None => Work::Once(stage, node.json()),
-        })
+        let Some(clock) = given.or(stage.own_clock(&node.json())?.map(Clock::of_rounds)) else {
+            let hint = Some("for example clock = { duration = \"1 Myr\", dt = \"10 kyr\" }".into());
+            return Err(self.error(span, format!("process `{name}` has no `clock`"), hint));
+        };
+        let watch = watch.map(|entry| self.watch(&entry, &clock)).transpose()?;
+        Ok(Work::Evolve(Box::new(Evolve { clock, parts: vec![(stage, node.json())], watch })))
     }
 
     fn evolve(&self, span: &Range<usize>, node: &mut Node, kind: Option<&str>) -> Result<Work> {
@@ -156,7 +158,7 @@ impl EntryReader<'_> {
             return Err(self.error(span, "`evolve` has no `clock`", hint));
         };
         let clock = self.clock(&clock.node)?;
-        let watch = self.watch(node, &clock)?;
+        let watch = node.remove("watch").map(|entry| self.watch(&entry, &clock)).transpose()?;
         let Some(list) = node.remove("process") else {
             let hint = Some("for example process = [ { use = \"uplift\", rate = \"0.5 mm/yr\" } ]".into());
             return Err(self.error(span, "`evolve` has no `process`", hint));
@@ -225,11 +227,10 @@ impl EntryReader<'_> {
         self.table("clock", node, Clock::check)
     }
 
-    fn watch(&self, node: &mut Node, clock: &Clock) -> Result<Option<Watch>> {
-        let Some(entry) = node.remove("watch") else { return Ok(None) };
+    fn watch(&self, entry: &super::tree::Entry, clock: &Clock) -> Result<Watch> {
         let watch: Watch = self.table("watch", &entry.node, Watch::check)?;
-        let looks = watch.fits(clock).map_err(|e| self.error(&entry.span, format!("`watch`: {e}"), e.hint()));
-        looks.map(|()| Some(watch))
+        watch.fits(clock).map_err(|e| self.error(&entry.span, format!("`watch`: {e}"), e.hint()))?;
+        Ok(watch)
     }
 
     /// A table that belongs to a stage but is none of its parameters.

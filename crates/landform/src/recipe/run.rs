@@ -293,7 +293,7 @@ impl Runner<'_> {
         let clock = &evolve.clock;
         let mut processes = Simulation::<'static, T>::new(terrain);
         for (stage, json) in &evolve.parts {
-            if let Act::Process(add) = stage.act {
+            if let Act::Process { add, .. } = stage.act {
                 add(json, &mut processes)?;
             }
         }

@@ -5,8 +5,8 @@ use std::any::Any;
 use landform_core::random::Seed;
 use landform_core::sim::Simulation;
 use landform_core::verb::{
-    Context, Convert, Edit, Estimate, Event, Export, Generator, Landscape, Measure, Output, Params, Process, Source,
-    properties,
+    Context, Convert, Edit, Estimate, Event, Export, Generator, Landscape, Measure, Output, OwnClock, Params, Process,
+    Source, properties,
 };
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
@@ -116,8 +116,11 @@ pub(super) enum Act {
         convert: fn(&Json, &AnyTerrain) -> Result<AnyTerrain>,
         estimate: fn(&Json, Estimate) -> Result<Estimate>,
     },
-    /// Adds itself to a `Simulation<T>`.
-    Process(fn(&Json, &mut dyn Any) -> Result<()>),
+    Process {
+        /// Adds itself to a `Simulation<T>`.
+        add: fn(&Json, &mut dyn Any) -> Result<()>,
+        own_clock: fn(&Json) -> Result<Option<OwnClock>>,
+    },
     /// Path and value.
     Measure(fn(&Json, &AnyTerrain) -> Result<(String, Json)>),
     Export(fn(&Json, &AnyLandscape, &mut dyn Output) -> Result<()>),
@@ -189,12 +192,17 @@ impl Stage {
     }
 
     pub(super) const fn process<P: Process<T>, T: Held>() -> Self {
-        let act = Act::Process(|json, simulation| match simulation.downcast_mut::<Simulation<'static, T>>() {
-            Some(simulation) => simulation.add(params::<P>(json)?),
-            None => {
-                Err(Error::Unsupported { what: P::NAME.into(), on: "another terrain".into(), supports: T::KIND.into() })
-            }
-        });
+        let act = Act::Process {
+            add: |json, simulation| match simulation.downcast_mut::<Simulation<'static, T>>() {
+                Some(simulation) => simulation.add(params::<P>(json)?),
+                None => Err(Error::Unsupported {
+                    what: P::NAME.into(),
+                    on: "another terrain".into(),
+                    supports: T::KIND.into(),
+                }),
+            },
+            own_clock: |json| Ok(params::<P>(json)?.own_clock()),
+        };
         Self { reads: P::READS, writes: P::WRITES, ..Self::new::<P>(Verb::Process, Some(T::KIND), T::KIND, act) }
     }
 
@@ -214,6 +222,11 @@ impl Stage {
             params::<P>(json)?.export(&Landscape { terrain, history, seed, title }, out)
         });
         Self::new::<P>(Verb::Export, Some(T::KIND), T::KIND, act)
+    }
+
+    /// The clock that the stage brings with it, if it is a process that does.
+    pub(super) fn own_clock(&self, json: &Json) -> Result<Option<OwnClock>> {
+        if let Act::Process { own_clock, .. } = self.act { own_clock(json) } else { Ok(None) }
     }
 
     /// What the stage is for, in a sentence or two.

@@ -8,6 +8,7 @@ use landform_io::import::ElevationFile;
 use landform_io::measure::{
     MeasureCoast, MeasureDrainage, MeasureHypsometry, MeasureLandscape, MeasureSpectrum, MeasureSummary, MeasureSurface,
 };
+use landform_process::dune::Dunes;
 use landform_process::edit::{Add, Derive, Drainage, FillDepressions, Mask, Resample, ToHeightField, Warp};
 use landform_process::generate::{
     Blend, Faulting, Flat, MidpointDisplacement, Noise, Shape, SpectralFbm, StreamGraph, Surface,
@@ -47,6 +48,7 @@ pub static STAGES: &[Stage] = &[
     Stage::process::<StreamPower, Mesh>(),
     Stage::process::<LinearDiffusion, HeightField>(),
     Stage::process::<LinearDiffusion, Mesh>(),
+    Stage::process::<Dunes, HeightField>(),
     Stage::measure::<MeasureSummary, HeightField>(),
     Stage::measure::<MeasureSummary, Mesh>(),
     Stage::measure::<MeasureCoast, HeightField>(),

@@ -238,6 +238,7 @@ fn word(stopped: Stopped) -> &'static str {
         Stopped::Steady => "steady",
         Stopped::Cancelled => "interrupted",
         Stopped::ByObserver => "by observer",
+        Stopped::AtRest => "at rest",
     }
 }
 

@@ -1,0 +1,124 @@
+//! Dunes.
+//!
+//! # Model
+//! Slabs of sand on hard ground. In a round every site is blown at once on average: if sand lies there and nothing shelters it, a slab is
+//! lifted and hops downwind. Where it comes down it stays, certainly in shelter, likely on sand, less likely on hard ground; else it hops
+//! on. Sand that stands too steep slips. What shelters is the model's: `werner` a shadow, `protection` a cone, `koh` a wind field.
+//!
+//! # Method
+//! Heights are whole numbers of 1/64 slab, so sand is kept exactly. Sites are drawn at random within strips that fit in the cache. What
+//! shelters is found anew four times a round. Hops that are no whole number of cells are rounded at random to either side. At the end
+//! slabs get finer and diffusion takes away what the lattice left.
+//!
+//! # Limits
+//! No least size of dunes: a cell should be 1 to 3 m, or dunes that nature would not make appear. Seed and erratum differ on a hop of
+//! length 0 (table 4.2): there is none here. Eight neighbours slip (Werner: four); along axes not above repose, diagonally up to a half
+//! slab more.
+//!
+//! # Sources
+//! Werner (1995); Pytel (2015), 4.1, in whose tables a site is taken to be 15 m wide: a slab of 5 is then a third of it, as in Werner;
+//! Koh (2002), 5.2.
+//!
+//! # Checked by
+//! `tests`: sand kept, slopes, coarsening, bare ground, barchans' speed and shape, classes by wind, grooves, Koh's wind.
+
+mod field;
+mod koh;
+mod params;
+mod protection;
+mod slabs;
+mod smooth;
+
+use landform_core::Result;
+use landform_core::field::names;
+use landform_core::random::Seed;
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::verb::{Change, Context, OwnClock, Process, Rose, Step};
+use serde::{Deserialize, Serialize};
+
+use field::Field;
+pub use params::{Borders, Dunes, Model};
+use protection::Protection;
+
+/// Sand on its ground, and what shelters it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct State {
+    field: Field,
+    protection: Option<Protection>,
+    /// Seed of the whole run: a spell keeps its wind from round to round.
+    seed: Seed,
+    #[serde(skip)]
+    scratch: Scratch,
+}
+
+/// Memory that rounds reuse.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    /// Height that the air is sheltered to, or strength of the wind.
+    air: Vec<f32>,
+    sheltered: Vec<bool>,
+}
+
+impl Process<HeightField> for Dunes {
+    const WRITES: &'static [&'static str] = &["elevation", "sand_depth", "wind"];
+    type State = State;
+
+    fn own_clock(&self) -> Option<OwnClock> {
+        // The length of a round follows from the cells, by `max_step`.
+        Some(OwnClock { dt: 1e12, rounds: self.steps + self.fine_rounds(), is_timed: true })
+    }
+
+    fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
+        let field = Field::lay(self, terrain, context)?;
+        let protection = (self.model == Model::Protection).then(|| Protection::new(self, &terrain.grid, &field));
+        field.write(terrain);
+        Ok(State { field, protection, seed: context.seed, scratch: Scratch::default() })
+    }
+
+    fn max_step(&self, _: &HeightField, state: &State) -> Option<f64> {
+        Some(self.round(state.field.slab()))
+    }
+
+    fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
+        let State { field, protection, seed, scratch } = state;
+        field.take_over(terrain);
+        let before: Vec<i32> = field.depths().collect();
+        let rose = Rose::new("wind", &self.wind)?;
+        let wind = rose.draw(seed.named("wind"), at.index / self.spell);
+        let part = (at.dt / self.round(field.slab())).min(1.0);
+        field.sand.set_slab(self.slab_units(at.index));
+        let swallowed = field.sand.swallowed() + field.left;
+        match self.model {
+            Model::Koh => koh::round(self, terrain, field, &mut scratch.air, &rose, wind, part, at.seed),
+            _ => slabs::round(self, &terrain.grid, field, protection.as_mut(), scratch, &rose, wind, part, at.seed),
+        }
+        let unit = field.unit * terrain.grid.cell_area();
+        let (mut eroded, mut deposited) = (0i64, 0i64);
+        for (old, new) in before.iter().zip(field.depths()) {
+            let d = i64::from(new - old);
+            deposited += d.max(0);
+            eroded += (-d).max(0);
+        }
+        let lost = field.sand.swallowed() + field.left - swallowed;
+        field.write(terrain);
+        Ok(Change {
+            eroded: eroded as f64 * unit,
+            deposited: deposited as f64 * unit,
+            exported: lost as f64 * unit,
+            ..Change::default()
+        })
+    }
+
+    fn finish(&self, terrain: &mut HeightField, state: &mut State) -> Result<()> {
+        if self.smoothing > 0.0 {
+            smooth::diffuse(terrain, &state.field, self.smoothing, self.borders == Borders::Periodic);
+        }
+        if self.model == Model::Koh {
+            let wind = state.scratch.air.iter().map(|&w| f64::from(w)).collect::<Vec<_>>();
+            if wind.len() == terrain.grid.len() {
+                terrain.fields_mut().insert(&names::WIND, wind);
+            }
+        }
+        Ok(())
+    }
+}

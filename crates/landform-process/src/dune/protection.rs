@@ -1,0 +1,81 @@
+//! Protection instead of shadows (Pytel 2015, 4.1.2).
+//!
+//! A site protects the cone downwind of it: what is deposited there adds to the protection of every site of the cone, what is eroded
+//! takes from it. A site is sheltered while its protection is positive. No line of sight is looked at; shadows emerge.
+//!
+//! The seed does not say what protection there is at the start. Here every site protects by the sand it holds above the mean depth, so
+//! that sand which was there before counts as sand that came.
+
+use landform_core::agents::{Connectivity, Falloff, RasterSites, Stencil};
+use landform_core::grid::{Edge, Edges, Grid};
+use serde::{Deserialize, Serialize};
+
+use super::field::Field;
+use super::params::{Borders, Dunes};
+
+/// The protection of every site, for each wind of the rose, units.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Protection {
+    /// Depths that `maps` are of.
+    known: Vec<i32>,
+    maps: Vec<Vec<i64>>,
+    #[serde(skip)]
+    cones: Option<Cones>,
+    grid: Grid,
+    reach: f64,
+    half_angle: f64,
+    towards: Vec<[f64; 2]>,
+}
+
+#[derive(Clone, Debug)]
+struct Cones {
+    sites: RasterSites,
+    stencils: Vec<Stencil>,
+}
+
+impl Protection {
+    pub(super) fn new(params: &Dunes, grid: &Grid, field: &Field) -> Self {
+        let n = grid.len();
+        let mean = (field.sand.total() / n as i64) as i32;
+        let edge = if params.borders == Borders::Periodic { Edge::Periodic } else { Edge::Open };
+        let mut protection = Self {
+            known: vec![mean; n],
+            maps: vec![vec![0; n]; params.wind.len()],
+            cones: None,
+            grid: Grid { edges: Edges::all(edge), ..grid.clone() },
+            reach: params.reach.si(),
+            half_angle: params.cone.si(),
+            towards: params.wind.iter().map(|w| w.towards()).collect(),
+        };
+        protection.update(field);
+        protection
+    }
+
+    fn cones(&self) -> Option<Cones> {
+        let sites = RasterSites::new(&self.grid, Connectivity::Eight).ok()?;
+        let cone = |&w: &[f64; 2]| Stencil::cone(self.grid.spacing, self.reach, w, self.half_angle, Falloff::Constant);
+        Some(Cones { sites, stencils: self.towards.iter().map(cone).collect() })
+    }
+
+    /// Lets what was eroded and deposited since the last call change the protection downwind. **Cost** O(sites that changed · cone).
+    pub(super) fn update(&mut self, field: &Field) {
+        let Some(cones) = self.cones.take().or_else(|| self.cones()) else { return };
+        for (site, depth) in field.depths().enumerate() {
+            let change = i64::from(depth - self.known[site]);
+            if change != 0 {
+                self.known[site] = depth;
+                for (stencil, map) in cones.stencils.iter().zip(&mut self.maps) {
+                    stencil.apply(&cones.sites, site, |downwind, _| map[downwind] += change);
+                }
+            }
+        }
+        self.cones = Some(cones);
+    }
+
+    /// Which sites are sheltered from a wind.
+    pub(super) fn sheltered(&self, wind: usize, out: &mut [bool]) {
+        for (out, protection) in out.iter_mut().zip(&self.maps[wind]) {
+            *out = *protection > 0;
+        }
+    }
+}

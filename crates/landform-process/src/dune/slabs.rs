@@ -1,0 +1,116 @@
+//! A round of Werner's rules, whatever it is that shelters.
+
+use landform_core::grid::Grid;
+use landform_core::random::{Seed, Stream};
+use landform_core::verb::Rose;
+
+use super::Scratch;
+use super::field::Field;
+use super::params::Dunes;
+use super::protection::Protection;
+use crate::mechanism::wind::Sweep;
+
+/// How often shelter is found anew in a round.
+const LOOKS_A_ROUND: u64 = 4;
+/// Sites of a strip that is blown at together: heights, sand and shelter of them fit in the second cache.
+const STRIP: usize = 1 << 16;
+
+/// Blows at every site once on average (or at a part of them).
+#[expect(clippy::too_many_arguments, reason = "one call, from the step")]
+pub(super) fn round(
+    params: &Dunes,
+    grid: &Grid,
+    field: &mut Field,
+    mut protection: Option<&mut Protection>,
+    scratch: &mut Scratch,
+    rose: &Rose,
+    wind: usize,
+    part: f64,
+    seed: Seed,
+) {
+    let n = grid.len();
+    let towards = rose.winds()[wind].towards();
+    let sweep = Sweep::new(grid.shape, grid.spacing, field.is_torus(), towards);
+    let hop = field.cells_of(towards, params.hop.si(), grid.spacing);
+    let slab = params_slab(field);
+    scratch.air.resize(n, 0.0);
+    scratch.sheltered.resize(n, false);
+    for look in 0..LOOKS_A_ROUND {
+        match &mut protection {
+            None => {
+                let surface = field.sand.surface();
+                sweep.shelter(|i| surface[i] as f32, field.fall(params.shadow.si(), sweep.pace), &mut scratch.air);
+                for i in 0..n {
+                    // Half a unit is rounding.
+                    scratch.sheltered[i] = scratch.air[i] > surface[i] as f32 + 0.5;
+                }
+            }
+            Some(protection) => {
+                protection.update(field);
+                protection.sheltered(wind, &mut scratch.sheltered);
+            }
+        }
+        let mut stream = seed.with(look).stream();
+        for strip in 0..n.div_ceil(STRIP) {
+            let sites = strip * STRIP..((strip + 1) * STRIP).min(n);
+            let times = (sites.len() as f64 * part / LOOKS_A_ROUND as f64).ceil() as usize;
+            blow(params, field, &scratch.sheltered, hop, slab, sites, times, &mut stream);
+        }
+    }
+}
+
+fn params_slab(field: &Field) -> i32 {
+    field.sand.slab()
+}
+
+/// A chance as a bound on 32 random bits.
+fn bound(chance: f64) -> u64 {
+    (chance * (1u64 << 32) as f64) as u64
+}
+
+#[expect(clippy::too_many_arguments, reason = "the inner loop, split from the round for its length")]
+fn blow(
+    params: &Dunes,
+    field: &mut Field,
+    sheltered: &[bool],
+    hop: [f64; 2],
+    slab: i32,
+    sites: std::ops::Range<usize>,
+    times: usize,
+    stream: &mut Stream,
+) {
+    let (on_sand, on_ground) = (bound(params.stay_on_sand), bound(params.stay_on_ground));
+    let whole = hop.map(|h| h.floor() as i64);
+    // The chance of one cell more.
+    let more = [0, 1].map(|k| bound(hop[k] - hop[k].floor()));
+    let slants = more != [0, 0];
+    for _ in 0..times {
+        let bits = stream.bits();
+        let site = sites.start + Stream::index((bits >> 32) as u32, sites.len());
+        if field.sand.depth(site) <= 0 || sheltered[site] {
+            continue;
+        }
+        let taken = field.sand.take(site, slab);
+        let mut luck = bits & 0xffff_ffff;
+        let mut at = site;
+        loop {
+            let [mut c, mut r] = whole;
+            if slants {
+                let bits = stream.bits();
+                c += i64::from(bits & 0xffff_ffff < more[0]);
+                r += i64::from(bits >> 32 < more[1]);
+            }
+            let Some(next) = field.hop(at, c, r) else {
+                field.left += i64::from(taken);
+                break;
+            };
+            at = next;
+            let depth = field.sand.depth(at);
+            if field.sand.is_sink(at) || sheltered[at] || luck < if depth > 0 { on_sand } else { on_ground } {
+                field.sand.put(at, taken);
+                break;
+            }
+            luck = stream.bits() >> 32;
+        }
+    }
+}
