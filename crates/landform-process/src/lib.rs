@@ -2,10 +2,12 @@
 //!
 //! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are coupled by a recipe.
 
+pub mod coast;
 pub mod dune;
 pub mod edit;
 pub mod generate;
 pub mod hillslope;
 pub mod mechanism;
+pub mod snow;
 pub mod stream_power;
 pub mod uplift;

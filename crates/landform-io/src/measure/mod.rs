@@ -1,11 +1,13 @@
 //! The stages that tell something about a terrain, as JSON. Meshes are measured on the raster that stands for them.
 
 mod coast;
+mod dunes;
 mod landscape;
 mod simple;
 mod summary;
 
 pub use coast::{CoastMeasured, MeasureCoast};
+pub use dunes::MeasureDunes;
 pub use landscape::MeasureLandscape;
 pub use simple::{
     DrainageMeasured, MeasureDrainage, MeasureHypsometry, MeasureSpectrum, MeasureSurface, SpectrumMeasured,

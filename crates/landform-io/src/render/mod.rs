@@ -3,6 +3,7 @@
 mod colour;
 mod cover;
 mod drawing;
+mod label;
 mod light;
 mod map;
 mod perspective;

@@ -28,6 +28,8 @@ mod params;
 mod protection;
 mod slabs;
 mod smooth;
+#[cfg(test)]
+mod tests;
 
 use landform_core::Result;
 use landform_core::field::names;

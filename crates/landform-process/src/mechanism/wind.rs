@@ -72,6 +72,11 @@ impl Sweep {
         if (0..n).contains(&to) { Some(to as usize) } else { self.torus.then(|| to.rem_euclid(n) as usize) }
     }
 
+    /// How far the wind drifts along a line on its way to the next, nodes.
+    pub fn drift(&self) -> f64 {
+        self.drift
+    }
+
     /// Whether the first line follows on the last.
     pub fn is_torus(&self) -> bool {
         self.torus
@@ -123,15 +128,16 @@ mod tests {
     #[test]
     fn shelter_is_the_geometric_shadow() {
         let grid = Grid::new(Shape::new(30, 40), [2.0, 2.0]).unwrap();
-        // Powers of two, so that both ways of adding up round alike.
-        let z: Vec<f64> = (0..1200).map(|i| (Seed(2).uniform(i) * 64.0).floor() / 8.0).collect();
+        let z: Vec<f64> = (0..1200).map(|i| Seed(2).uniform(i) * 8.0).collect();
         let angle = math::atan(0.25);
         for (from, towards) in [(270.0, [1.0, 0.0]), (90.0, [-1.0, 0.0]), (0.0, [0.0, -1.0]), (180.0, [0.0, 1.0])] {
             let sweep = Sweep::new(grid.shape, grid.spacing, false, towards);
             let mut out = vec![0.0; 1200];
             sweep.shelter(|i| z[i] as f32, (0.25 * sweep.pace) as f32, &mut out);
             let geometric = shadow(&grid, &z, f64::to_radians(from), angle);
-            let wrong = (0..1200).filter(|&i| (f64::from(out[i]) > z[i] + 1e-6) != geometric[i]).count();
+            // A line of sight along the very border may leave the map by a rounding error.
+            let inner = |i: &usize| (1..29).contains(&(i / 40)) && (1..39).contains(&(i % 40));
+            let wrong = (0..1200).filter(inner).filter(|&i| (f64::from(out[i]) > z[i] + 1e-6) != geometric[i]).count();
             assert!(wrong < 4, "{from}: {wrong}");
         }
     }

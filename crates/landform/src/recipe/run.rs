@@ -297,7 +297,7 @@ impl Runner<'_> {
                 add(json, &mut processes)?;
             }
         }
-        let watcher = evolve.watch.as_ref().filter(|_| !self.options.quiet).map(Watcher::new);
+        let watcher = evolve.watch.as_ref().filter(|_| !self.options.quiet).map(|w| Watcher::new(w, clock.timeless));
         let watcher = std::sync::Mutex::new(watcher);
         let stop = clock.stop();
         let mut first_residual = None;

@@ -6,14 +6,17 @@ use landform_io::export::{
 };
 use landform_io::import::ElevationFile;
 use landform_io::measure::{
-    MeasureCoast, MeasureDrainage, MeasureHypsometry, MeasureLandscape, MeasureSpectrum, MeasureSummary, MeasureSurface,
+    MeasureCoast, MeasureDrainage, MeasureDunes, MeasureHypsometry, MeasureLandscape, MeasureSpectrum, MeasureSummary,
+    MeasureSurface,
 };
+use landform_process::coast::{CoastErosion, IslandInterior, PruneIslands};
 use landform_process::dune::Dunes;
 use landform_process::edit::{Add, Derive, Drainage, FillDepressions, Mask, Resample, ToHeightField, Warp};
 use landform_process::generate::{
     Blend, Faulting, Flat, MidpointDisplacement, Noise, Shape, SpectralFbm, StreamGraph, Surface,
 };
 use landform_process::hillslope::LinearDiffusion;
+use landform_process::snow::Snow;
 use landform_process::stream_power::StreamPower;
 use landform_process::uplift::Uplift;
 
@@ -38,7 +41,9 @@ pub static STAGES: &[Stage] = &[
     Stage::edit::<Drainage, Mesh>(),
     Stage::edit::<FillDepressions, HeightField>(),
     Stage::edit::<FillDepressions, Mesh>(),
+    Stage::edit::<IslandInterior, HeightField>(),
     Stage::edit::<Mask, HeightField>(),
+    Stage::edit::<PruneIslands, HeightField>(),
     Stage::edit::<Resample, HeightField>(),
     Stage::edit::<Warp, HeightField>(),
     Stage::convert::<ToHeightField, Mesh, HeightField>(),
@@ -48,13 +53,16 @@ pub static STAGES: &[Stage] = &[
     Stage::process::<StreamPower, Mesh>(),
     Stage::process::<LinearDiffusion, HeightField>(),
     Stage::process::<LinearDiffusion, Mesh>(),
+    Stage::process::<CoastErosion, HeightField>(),
     Stage::process::<Dunes, HeightField>(),
+    Stage::process::<Snow, HeightField>(),
     Stage::measure::<MeasureSummary, HeightField>(),
     Stage::measure::<MeasureSummary, Mesh>(),
     Stage::measure::<MeasureCoast, HeightField>(),
     Stage::measure::<MeasureCoast, Mesh>(),
     Stage::measure::<MeasureDrainage, HeightField>(),
     Stage::measure::<MeasureDrainage, Mesh>(),
+    Stage::measure::<MeasureDunes, HeightField>(),
     Stage::measure::<MeasureHypsometry, HeightField>(),
     Stage::measure::<MeasureHypsometry, Mesh>(),
     Stage::measure::<MeasureLandscape, HeightField>(),

@@ -44,6 +44,8 @@ pub struct Watch {
     /// Perspective only: factor on elevations.
     #[schemars(extend("x-above" = 0.0, "x-max" = 100.0))]
     pub exaggeration: f64,
+    /// Whether pictures tell the time.
+    pub clock: bool,
     /// Whether the table has a column of seconds on the wall, which differ from run to run.
     pub seconds: bool,
 }
@@ -59,6 +61,7 @@ impl Default for Watch {
             view: ViewKind::Map,
             size: 480,
             exaggeration: 1.0,
+            clock: true,
             seconds: false,
         }
     }
@@ -129,16 +132,18 @@ pub(super) struct Watcher<'a> {
     watch: &'a Watch,
     rows: String,
     frames: Vec<Picture>,
+    /// Whether steps stand for no time.
+    timeless: bool,
     started: std::time::Instant,
 }
 
 impl<'a> Watcher<'a> {
-    pub(super) fn new(watch: &'a Watch) -> Self {
+    pub(super) fn new(watch: &'a Watch, timeless: bool) -> Self {
         let seconds = if watch.seconds { ",seconds" } else { "" };
         let rows = format!(
             "step,time_yr,dt_yr,lakes,min_m,mean_m,max_m,residual,supplied_m3,eroded_m3,deposited_m3,exported_m3{seconds}\n"
         );
-        Self { watch, rows, frames: Vec::new(), started: std::time::Instant::now() }
+        Self { watch, rows, frames: Vec::new(), timeless, started: std::time::Instant::now() }
     }
 
     pub(super) fn look<T: Held>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
@@ -153,9 +158,28 @@ impl<'a> Watcher<'a> {
             if self.frames.len() == MOST_FRAMES {
                 return Err(Error::parameter("watch", format!("more than {MOST_FRAMES} frames"), "a longer `every`"));
             }
-            self.frames.push(terrain.draw(&self.watch.picture())?);
+            let mut frame = terrain.draw(&self.watch.picture())?;
+            if self.watch.clock {
+                frame.label(&self.time(view.steps, view.time));
+            }
+            self.frames.push(frame);
         }
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// The clock as pictures show it.
+    fn time(&self, steps: u64, time: f64) -> String {
+        if self.timeless {
+            return format!("step {steps}");
+        }
+        let years = time / YEAR;
+        match years {
+            y if y >= 1e6 => format!("{:.2} Myr", y / 1e6),
+            y if y >= 1e4 => format!("{:.1} kyr", y / 1e3),
+            y if y >= 100.0 => format!("{y:.0} yr"),
+            y if y >= 1.0 => format!("{y:.1} yr"),
+            y => format!("{:.1} days", y * 365.25),
+        }
     }
 
     fn row<S: NodeSurface, T>(&mut self, terrain: &S, view: &View<T>) {

@@ -1,0 +1,61 @@
+//! Measures of a dune field.
+
+use landform_core::Result;
+use landform_core::analysis::{Dunes, dunes};
+use landform_core::field::names;
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::units::Angle;
+use landform_core::verb::{Measure, Params, Rose, Source, Wind};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::check_path;
+
+/// Measures dunes: height, spacing, direction of crests, bare ground, share near repose, and what the dunes are called.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct MeasureDunes {
+    /// Path below the output folder.
+    pub path: String,
+    /// The winds that made them.
+    pub wind: Vec<Wind>,
+    /// Angle of repose of the sand.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
+    pub repose: Angle,
+    /// Whether the sides of the map meet.
+    pub periodic: bool,
+}
+
+impl Default for MeasureDunes {
+    fn default() -> Self {
+        Self { path: "dunes.json".into(), wind: vec![Wind::from(270.0, 1.0)], repose: Angle::of(33.0), periodic: true }
+    }
+}
+
+impl Params for MeasureDunes {
+    const NAME: &'static str = "measure_dunes";
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Wasson & Hyde (1983)",
+        title: "Factors determining desert dune type, Nature 304",
+        doi: "10.1038/304337a0",
+    }];
+
+    fn check(&self) -> Result<()> {
+        Rose::new("wind", &self.wind)?;
+        check_path(&self.path, &[".json"])
+    }
+}
+
+impl Measure<HeightField> for MeasureDunes {
+    type Out = Dunes;
+
+    fn path(&self) -> &str {
+        &self.path
+    }
+
+    fn measure(&self, terrain: &HeightField) -> Result<Dunes> {
+        let sand = terrain.fields().get(&names::SAND_DEPTH, Self::NAME)?;
+        let rose = Rose::new("wind", &self.wind)?;
+        Ok(dunes(&terrain.grid, terrain.elevation(), sand, &rose, self.repose.si(), self.periodic))
+    }
+}

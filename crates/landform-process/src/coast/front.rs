@@ -1,0 +1,225 @@
+//! The front between land and sea, whatever drives it.
+
+use landform_core::agents::{Connectivity, Falloff, Group, RasterSites, Sites, Stencil};
+use landform_core::grid::{Edge, Grid, Shape, Side};
+use landform_core::{Result, parallel};
+
+use super::params::{Exposure, Perimeter};
+use super::perimeter::{self, Coast};
+
+/// What a round did.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Round {
+    /// Sites that fell, by index.
+    pub(super) fallen: Vec<usize>,
+    /// The least factor on the force that would have brought a site down, if none fell.
+    pub(super) needed: f64,
+}
+
+/// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells weaken by their part of it, so that the
+/// coast does not depend on them. The seed's sites of 15 m and radius of 25 m are of this size.
+const WHOLE_EVENT: f64 = 0.6;
+
+/// What drives the sea at each site.
+pub(super) struct Drive<'a> {
+    pub(super) force: &'a (dyn Fn(usize) -> f64 + Sync),
+    pub(super) damping: &'a (dyn Fn(usize) -> f64 + Sync),
+    pub(super) wear: &'a (dyn Fn(usize) -> f64 + Sync),
+    /// Amount of weakening around a site that falls.
+    pub(super) weakening: &'a (dyn Fn(usize) -> f64 + Sync),
+}
+
+/// The front between land and sea on a raster.
+#[derive(Clone, Debug)]
+pub(super) struct Front {
+    sites: RasterSites,
+    shape: Shape,
+    /// Whether the sea lies beyond the north, east, south and west side.
+    open: [bool; 4],
+    pub(super) land: Vec<bool>,
+    /// What is left of each site's resistance.
+    pub(super) material: Vec<f64>,
+    /// Land sites that the sea reaches, with the number of their sides that it does.
+    coast: Group<u8>,
+    exposure: Exposure,
+    perimeter: Perimeter,
+    /// Length of all coasts at the start, sides.
+    pub(super) start_length: f64,
+    stencil: Option<Stencil>,
+    /// Part of the amount of weakening that the fall of one site carries.
+    event: f64,
+}
+
+impl Front {
+    /// A front between `land` and all other sites; `start_length` of a front that is taken up again.
+    pub(super) fn new(
+        grid: &Grid,
+        land: Vec<bool>,
+        material: Vec<f64>,
+        (exposure, perimeter): (Exposure, Perimeter),
+        weakening_radius: Option<f64>,
+        start_length: Option<f64>,
+    ) -> Result<Self> {
+        let open = [Side::North, Side::East, Side::South, Side::West].map(|s| grid.edges.get(s) == Edge::Open);
+        let mut front = Self {
+            sites: RasterSites::new(grid, Connectivity::Four)?,
+            shape: grid.shape,
+            open,
+            coast: Group::new(land.len()),
+            land,
+            material,
+            exposure,
+            perimeter,
+            start_length: 0.0,
+            event: weakening_radius.map_or(1.0, |r| (grid.cell_area() / (WHOLE_EVENT * WHOLE_EVENT * r * r)).min(1.0)),
+            stencil: weakening_radius.map(|r| Stencil::disc(grid.spacing, r, Falloff::Linear)),
+        };
+        for site in 0..front.land.len() {
+            front.look(site);
+        }
+        front.start_length = start_length.unwrap_or_else(|| front.coast.iter().map(|(_, &s)| f64::from(s)).sum());
+        Ok(front)
+    }
+
+    /// Sides of a site that the sea reaches.
+    fn sides(&self, site: usize) -> u8 {
+        let near = self.sites.neighbours(site).filter(|n| !self.land[n.site]).count() as u8;
+        let cell = self.shape.cell(site);
+        let beyond = [cell.row == 0, cell.col + 1 == self.shape.cols, cell.row + 1 == self.shape.rows, cell.col == 0];
+        near + beyond.iter().zip(self.open).filter(|(at, open)| **at && *open).count() as u8
+    }
+
+    /// Makes a land site part of the coast if the sea reaches it.
+    fn look(&mut self, site: usize) {
+        if !self.land[site] {
+            return;
+        }
+        let sides = self.sides(site);
+        match self.coast.at_mut(site) {
+            Some(known) => *known = sides,
+            None if sides > 0 => {
+                self.coast.join(site, sides);
+            }
+            None => {}
+        }
+    }
+
+    /// Whether no land is reached.
+    pub(super) fn is_done(&self) -> bool {
+        self.coast.is_empty()
+    }
+
+    /// Sites of the coast, by index.
+    pub(super) fn coast_sites(&self) -> Vec<usize> {
+        self.coast.sites()
+    }
+
+    /// The factor on resistance that the exposed sides leave.
+    fn resistance(&self, site: usize, sides: u8) -> f64 {
+        let material = self.material[site].max(0.0);
+        match (self.exposure, sides) {
+            (Exposure::None, _) => material,
+            (Exposure::Proportional, s) => material * f64::from(4 - s.min(4)) / 3.0,
+            (Exposure::Squared, 1) => material,
+            (Exposure::Squared, 2) => material * material,
+            (Exposure::Squared, _) => 0.0,
+        }
+    }
+
+    /// One round: every site of the coast feels the sea as it is now, and all that give way fall at once.
+    pub(super) fn round(&mut self, drive: &Drive) -> Round {
+        let sites = self.coast.sites();
+        let sides: Vec<u8> = sites.iter().map(|&s| self.coast.at(s).copied().unwrap_or(0)).collect();
+        let coast = Coast { sites: &sites, sides: &sides, shape: self.shape, land: &self.land, wraps: self.wraps() };
+        let resistance = parallel::map(sites.len(), |k| self.resistance(sites[k], sides[k]));
+        // Nobody needs the damping of a site that the undamped sea would not bring down, unless it wears or the round may stall.
+        let force = |k: usize| (drive.force)(sites[k]);
+        let wanted: Vec<bool> =
+            (0..sites.len()).map(|k| resistance[k] < force(k) || (drive.wear)(sites[k]) > 0.0).collect();
+        let ratio = perimeter::ratios(self.perimeter, &coast, self.start_length, self.sites.spacing(), &wanted);
+        let damped = |k: usize| force(k) / (1.0 + (drive.damping)(sites[k]) * ratio[k]);
+        let mut fallen = Vec::new();
+        let mut needed = f64::INFINITY;
+        for k in 0..sites.len() {
+            let (site, pressure) = (sites[k], damped(k));
+            let wear = (drive.wear)(site);
+            if wear > 0.0 {
+                // Wear acts through as many sides as the sea reaches.
+                self.material[site] -=
+                    wear * pressure * (self.material[site] / resistance[k].max(1e-9)).clamp(1.0, 4.0);
+            }
+            let gives_way = if wear > 0.0 { self.material[site] <= 0.0 } else { wanted[k] && resistance[k] < pressure };
+            if gives_way {
+                fallen.push(site);
+            } else if pressure > 0.0 {
+                needed = needed.min(resistance[k] / pressure);
+            }
+        }
+        self.fall(&fallen, drive);
+        Round { fallen, needed }
+    }
+
+    /// Lets sites fall, whatever holds them.
+    pub(super) fn fall(&mut self, sites: &[usize], drive: &Drive) {
+        for &site in sites {
+            self.land[site] = false;
+            self.coast.leave(site);
+        }
+        for &site in sites {
+            let near: [Option<usize>; 4] = {
+                let mut it = self.sites.neighbours(site).map(|n| n.site);
+                std::array::from_fn(|_| it.next())
+            };
+            near.into_iter().flatten().for_each(|n| self.look(n));
+            let amount = self.event * (drive.weakening)(site);
+            if let Some(stencil) = &self.stencil
+                && amount > 0.0
+            {
+                let material = &mut self.material;
+                stencil.apply(&self.sites, site, |at, weight| material[at] -= amount * weight);
+            }
+        }
+    }
+
+    fn wraps(&self) -> [bool; 2] {
+        // A torus shows in a neighbour on the far side.
+        let far = |a: usize, b: usize| a != b && self.sites.neighbours(a).any(|n| n.site == b);
+        let Shape { rows, cols } = self.shape;
+        [cols > 2 && far(0, cols - 1), rows > 2 && far(0, self.shape.index(rows - 1, 0))]
+    }
+}
+
+/// The sea: sites at or under a level that connect to the open border, or to sites that were sea before.
+pub(super) fn flood(grid: &Grid, z: &[f64], level: f64) -> Result<Vec<bool>> {
+    let sites = RasterSites::new(grid, Connectivity::Four)?;
+    let shape = grid.shape;
+    let mut sea = vec![false; z.len()];
+    let low = |i: usize| !(z[i] > level);
+    let mut pending: Vec<usize> = (0..z.len())
+        .filter(|&i| {
+            let cell = shape.cell(i);
+            let open = |at: bool, side: Side| at && grid.edges.get(side) == Edge::Open;
+            low(i)
+                && (open(cell.row == 0, Side::North)
+                    || open(cell.row + 1 == shape.rows, Side::South)
+                    || open(cell.col == 0, Side::West)
+                    || open(cell.col + 1 == shape.cols, Side::East))
+        })
+        .collect();
+    if pending.is_empty()
+        && !(0..4).any(|k| grid.edges.get([Side::North, Side::East, Side::South, Side::West][k]) == Edge::Open)
+    {
+        // Nothing lies beyond: what is low is sea.
+        pending = (0..z.len()).filter(|&i| low(i)).collect();
+    }
+    pending.iter().for_each(|&i| sea[i] = true);
+    while let Some(site) = pending.pop() {
+        for near in sites.neighbours(site) {
+            if low(near.site) && !sea[near.site] {
+                sea[near.site] = true;
+                pending.push(near.site);
+            }
+        }
+    }
+    Ok(sea)
+}

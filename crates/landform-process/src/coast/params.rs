@@ -1,0 +1,201 @@
+//! Parameters of coasts.
+
+use landform_core::units::{Length, Ratio, RatioDimension};
+use landform_core::verb::{Params, Source, Varying};
+use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Whose length damps the sea.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Perimeter {
+    /// "global": all coasts together.
+    Whole(Whole),
+    /// Coasts within a radius of each place.
+    Local {
+        /// The radius.
+        local: Length,
+        /// Which of them count.
+        #[serde(default)]
+        search: Search,
+    },
+    /// Coasts of the sectors around each place, linear between their middles: quick, and a little of the sectors shows.
+    Sectors {
+        /// The map is cut into 2^k by 2^k sectors.
+        sectors: u32,
+    },
+}
+
+/// All coasts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Whole {
+    /// All coasts together.
+    Global,
+}
+
+/// Which coasts within the radius count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Search {
+    /// Those of the same shore.
+    #[default]
+    Contiguous,
+    /// All, islands too.
+    All,
+}
+
+/// How places grow weaker with the sides that the sea reaches.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Exposure {
+    /// Not at all.
+    None,
+    /// In proportion to the sides that still touch land.
+    Proportional,
+    /// One side: R; two: R squared; three or four: 0 (Sapoval, Baldassarri & Gabrielli 2004).
+    #[default]
+    Squared,
+}
+
+/// Places near one that falls grow weaker.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Weakening {
+    /// What a place loses of its resistance when a square of 0.6 radii beside it falls; less with distance.
+    pub amount: f64,
+    /// Where nothing is lost any more.
+    pub radius: Length,
+}
+
+impl Default for Weakening {
+    fn default() -> Self {
+        Self { amount: 0.05, radius: Length::of(25.0) }
+    }
+}
+
+/// When the sea rests.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Until {
+    /// "stable": when no place gives way any more.
+    Stable(Stable),
+    /// When so much of the land is left.
+    Land {
+        /// Part of the land at the start, 0 to 1.
+        land: f64,
+    },
+}
+
+/// Rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Stable {
+    /// No place gives way any more.
+    Stable,
+}
+
+/// The sea gnaws the land: places give way where the force of the sea is above their resistance; the longer the coast, the weaker the sea.
+/// What is open on the border of the map is sea. Runs without a clock.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct CoastErosion {
+    /// Force f of the sea, against resistances from 0 to 1.
+    #[schemars(extend("x-min" = 0.0))]
+    pub force: Varying<RatioDimension>,
+    /// Damping g of the sea by the length of the coast: F = f / (1 + g L / L0). 0.1 and more: a rough coast; 0.003 and less: a fractal.
+    #[schemars(extend("x-min" = 0.0))]
+    pub damping: Varying<RatioDimension>,
+    /// Whose length damps: "global", { local = "1 km", search = "contiguous" } or "all", or { sectors = 2 }.
+    pub perimeter: Perimeter,
+    /// How places grow weaker with the sides that the sea reaches.
+    pub exposure: Exposure,
+    /// Weakening of what lies near a place that falls, for coasts that are less folded; a map may scale its amount.
+    pub weakening: Option<Weakening>,
+    /// Factor on the amount of weakening.
+    #[schemars(extend("x-min" = 0.0))]
+    pub weakening_factor: Varying<RatioDimension>,
+    /// Part k of the force that wears a place down in each round; 0: places hold until the force is above them.
+    #[schemars(extend("x-min" = 0.0))]
+    pub wear: Varying<RatioDimension>,
+    /// Factor on resistances, which are random from 0 to 1: the rock.
+    #[schemars(extend("x-min" = 0.0))]
+    pub resistance: Varying<RatioDimension>,
+    /// When the sea rests: "stable", or { land = 0.6 }.
+    pub until: Until,
+    /// Most rounds.
+    #[schemars(extend("x-min" = 1, "x-max" = 1e7))]
+    pub steps: u64,
+    /// Level of the sea: what lies at or under it and reaches the open border is sea.
+    pub sea_level: Length,
+    /// Depth of the water where land was taken.
+    #[schemars(extend("x-above" = 0.0))]
+    pub depth: Length,
+}
+
+impl Default for CoastErosion {
+    fn default() -> Self {
+        Self {
+            force: Ratio::of(0.5).into(),
+            damping: Ratio::of(0.15).into(),
+            perimeter: Perimeter::Whole(Whole::Global),
+            exposure: Exposure::Squared,
+            weakening: None,
+            weakening_factor: Ratio::of(1.0).into(),
+            wear: Varying::default(),
+            resistance: Ratio::of(1.0).into(),
+            until: Until::Stable(Stable::Stable),
+            steps: 5_000,
+            sea_level: Length::of(0.0),
+            depth: Length::of(5.0),
+        }
+    }
+}
+
+impl Params for CoastErosion {
+    const NAME: &'static str = "coast_erosion";
+    const SOURCES: &'static [Source] = &[
+        Source {
+            authors: "Sapoval, Baldassarri & Gabrielli (2004)",
+            title: "Self-stabilized fractality of seacoasts through damped erosion, Physical Review Letters 93",
+            doi: "10.1103/PhysRevLett.93.098501",
+        },
+        Source {
+            authors: "Pytel (2015)",
+            title: "Self-organized procedural modeling of terrains, University of Waterloo, section 4.2 and appendix B.1",
+            doi: "",
+        },
+    ];
+
+    fn check(&self) -> Result<()> {
+        match self.perimeter {
+            Perimeter::Local { local, .. } if !(local.si() > 0.0 && local.si().is_finite()) => {
+                return Err(Error::parameter("perimeter", format!("local = {local}"), "a radius above 0 m"));
+            }
+            Perimeter::Sectors { sectors } if sectors > 8 => {
+                return Err(Error::parameter(
+                    "perimeter",
+                    format!("sectors = {sectors}"),
+                    "at most 8 (256 by 256 sectors)",
+                ));
+            }
+            _ => {}
+        }
+        if let Some(w) = self.weakening
+            && !(w.amount >= 0.0 && w.amount <= 1.0 && w.radius.si() > 0.0 && w.radius.si().is_finite())
+        {
+            return Err(Error::parameter(
+                "weakening",
+                format!("{} within {}", w.amount, w.radius),
+                "an amount from 0 to 1 and a radius above 0 m",
+            ));
+        }
+        match self.until {
+            Until::Land { land } if !(0.0..1.0).contains(&land) => {
+                Err(Error::parameter("until", format!("land = {land}"), "a part from 0 to below 1"))
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Small islands, taken away.
+
+use landform_core::Result;
+use landform_core::agents::{Connectivity, RasterSites, Sites};
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::units::Length;
+use landform_core::verb::{Context, Edit, Params, Source};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::front::flood;
+
+/// Takes away islands with a short coast, as `coast_erosion` leaves many; the sea covers them.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct PruneIslands {
+    /// Islands with a shorter coast go; 24 cells if not given.
+    #[schemars(extend("x-min" = 0.0))]
+    pub perimeter: Option<Length>,
+    /// Level of the sea.
+    pub sea_level: Length,
+    /// Depth of the water where islands were.
+    #[schemars(extend("x-above" = 0.0))]
+    pub depth: Length,
+}
+
+impl Default for PruneIslands {
+    fn default() -> Self {
+        Self { perimeter: None, sea_level: Length::of(0.0), depth: Length::of(5.0) }
+    }
+}
+
+impl Params for PruneIslands {
+    const NAME: &'static str = "prune_islands";
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Pytel (2015)",
+        title: "Self-organized procedural modeling of terrains, University of Waterloo, section 4.2.1",
+        doi: "",
+    }];
+}
+
+impl Edit<HeightField> for PruneIslands {
+    fn edit(&self, terrain: &mut HeightField, _: &Context) -> Result<()> {
+        let sea = flood(&terrain.grid, terrain.elevation(), self.sea_level.si())?;
+        let sites = RasterSites::new(&terrain.grid, Connectivity::Four)?;
+        let cell = 0.5 * (terrain.grid.spacing[0] + terrain.grid.spacing[1]);
+        let least = self.perimeter.map_or(24.0 * cell, Length::si);
+        let mut seen = sea.clone();
+        for first in 0..sea.len() {
+            if std::mem::replace(&mut seen[first], true) {
+                continue;
+            }
+            let (mut island, mut next, mut sides, mut leaves) = (vec![first], 0, 0, false);
+            while let Some(&site) = island.get(next) {
+                next += 1;
+                let mut around = 0;
+                for near in sites.neighbours(site) {
+                    around += 1;
+                    if sea[near.site] {
+                        sides += 1;
+                    } else if !std::mem::replace(&mut seen[near.site], true) {
+                        island.push(near.site);
+                    }
+                }
+                leaves |= around < 4;
+            }
+            // Land that goes on beyond the map may be large there.
+            if !leaves && f64::from(sides) * cell < least {
+                let floor = self.sea_level.si() - self.depth.si();
+                for &site in &island {
+                    let z = &mut terrain.elevation_mut()[site];
+                    *z = if z.is_nan() { *z } else { z.min(floor) };
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,300 @@
+//! What coasts must keep: see validation targets CO1 to CO11 in `docs/pytel`.
+
+use landform_core::algo::isoline::isolines;
+use landform_core::analysis::dimension_by_boxes;
+use landform_core::grid::{Edge, Edges, Grid, Shape};
+use landform_core::math;
+use landform_core::random::Seed;
+use landform_core::sim::{Simulation, Stop};
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::units::{Length, Ratio};
+use landform_core::verb::{Context, Edit, NoMaps, Stopped, Varying};
+
+use super::*;
+
+/// Land everywhere; the sea in the north, or all around.
+fn ground(rows: usize, cols: usize, cell: f64, strip: bool) -> HeightField {
+    let mut grid = Grid::new(Shape::new(rows, cols), [cell, cell]).unwrap();
+    if strip {
+        grid.edges = Edges { north: Edge::Open, south: Edge::Closed, east: Edge::Periodic, west: Edge::Periodic };
+    }
+    let n = grid.len();
+    HeightField::new(grid, vec![4.0; n]).unwrap()
+}
+
+fn number(v: f64) -> Varying<landform_core::units::RatioDimension> {
+    Ratio::of(v).into()
+}
+
+fn run(params: &CoastErosion, ground: HeightField, seed: u64) -> (HeightField, Stopped) {
+    let mut simulation = Simulation::new(ground)
+        .process(params.clone())
+        .unwrap()
+        .dt(YEAR)
+        .until(Stop::steps(params.steps))
+        .seed(Seed(seed));
+    let outcome = simulation.run().unwrap();
+    assert!(outcome.budget.imbalance() < 1e-9);
+    (simulation.into_terrain(), outcome.stopped)
+}
+
+fn land(field: &HeightField) -> Vec<bool> {
+    field.elevation().iter().map(|&z| z > 0.0).collect()
+}
+
+/// Land that hangs together with the last row by sides.
+fn mainland(field: &HeightField) -> Vec<bool> {
+    let land = land(field);
+    let Shape { rows, cols } = field.grid.shape;
+    let mut main = vec![false; land.len()];
+    let mut pending: Vec<usize> = ((rows - 1) * cols..rows * cols).filter(|&i| land[i]).collect();
+    while let Some(i) = pending.pop() {
+        if std::mem::replace(&mut main[i], true) {
+            continue;
+        }
+        let (r, c) = (i / cols, i % cols);
+        for (rr, cc) in [(r.wrapping_sub(1), c), (r + 1, c), (r, (c + 1) % cols), (r, (c + cols - 1) % cols)] {
+            if rr < rows && land[rr * cols + cc] && !main[rr * cols + cc] {
+                pending.push(rr * cols + cc);
+            }
+        }
+    }
+    main
+}
+
+/// The force at the end, the standard deviation of the outer coast's position and its dimension by boxes of 2 cells to that.
+fn percolation(damping: f64, seed: u64) -> (f64, f64, f64) {
+    let force = 0.66;
+    let params = CoastErosion {
+        force: number(force),
+        damping: number(damping),
+        exposure: Exposure::None,
+        steps: 20_000,
+        ..CoastErosion::default()
+    };
+    let (field, stopped) = run(&params, ground(512, 768, 1.0, true), seed);
+    assert_eq!(stopped, Stopped::AtRest);
+    let land = land(&field);
+    let Shape { rows, cols } = field.grid.shape;
+    let sea = |r: usize, c: usize| !land[r * cols + c];
+    let sides: usize = (0..land.len())
+        .filter(|&i| land[i])
+        .map(|i| {
+            let (r, c) = (i / cols, i % cols);
+            usize::from(r == 0 || sea(r - 1, c))
+                + usize::from(r + 1 < rows && sea(r + 1, c))
+                + usize::from(sea(r, (c + 1) % cols))
+                + usize::from(sea(r, (c + cols - 1) % cols))
+        })
+        .sum();
+    let end = force / (1.0 + damping * sides as f64 / cols as f64);
+    let main = mainland(&field);
+    let rows_of: Vec<f64> = (0..main.len())
+        .filter(|&i| main[i] && i / cols > 0)
+        .filter(|&i| {
+            [i - cols, i + 1, i - 1, (i + cols).min(main.len() - 1)].iter().any(|&j| j < main.len() && !main[j])
+        })
+        .map(|i| (i / cols) as f64)
+        .collect();
+    let mean = rows_of.iter().sum::<f64>() / rows_of.len() as f64;
+    let width = (rows_of.iter().map(|r| (r - mean) * (r - mean)).sum::<f64>() / rows_of.len() as f64).sqrt();
+    let values: Vec<f64> = main.iter().map(|&m| if m { 1.0 } else { -1.0 }).collect();
+    let lines = isolines(&field.grid, &values, 0.0);
+    let longest = lines.iter().max_by(|a, b| a.length().total_cmp(&b.length())).unwrap();
+    let dimension = dimension_by_boxes(&[&longest.points], 2.0, width.max(12.0)).map_or(f64::NAN, |d| d.dimension);
+    (end, width, dimension)
+}
+
+#[test]
+fn weakly_damped_fronts_are_those_of_percolation() {
+    // CO2 to CO4: dimension of the outer coast towards 4/3, width as g^-4/7, force towards the threshold 0.5927 from below.
+    let dampings = [0.1, 0.03, 0.01, 0.003, 0.001];
+    let found: Vec<(f64, f64, f64)> = dampings
+        .iter()
+        .map(|&g| {
+            let three: Vec<_> = (1..=3).map(|s| percolation(g, s)).collect();
+            let mean = |f: fn(&(f64, f64, f64)) -> f64| three.iter().map(f).sum::<f64>() / 3.0;
+            (mean(|t| t.0), mean(|t| t.1), mean(|t| t.2))
+        })
+        .collect();
+    let line = dampings.iter().zip(&found).map(|(g, f)| (math::log(*g), math::log(f.1)));
+    let (slope, ..) = math::line_fit(line);
+    assert!((-0.66..=-0.50).contains(&slope), "{slope} {found:?}");
+    assert!(found.windows(2).all(|w| w[0].0 < w[1].0) && found[4].0 < 0.5927 && found[4].0 > 0.56, "{found:?}");
+    assert!((found[4].2 - 1.33).abs() < 0.07, "{found:?}");
+}
+
+#[test]
+fn a_radius_over_the_whole_domain_is_the_global_model() {
+    let global = CoastErosion { force: number(0.6), ..CoastErosion::default() };
+    let local =
+        CoastErosion { perimeter: Perimeter::Local { local: Length::of(1e4), search: Search::All }, ..global.clone() };
+    let (a, _) = run(&global, ground(96, 96, 10.0, false), 5);
+    let (b, _) = run(&local, ground(96, 96, 10.0, false), 5);
+    let eroded = land(&a).iter().filter(|l| !**l).count();
+    assert!(eroded > 500 && a.elevation() == b.elevation(), "{eroded}");
+    // One sector is the whole map as well, but measures by marching squares.
+    let one = CoastErosion { perimeter: Perimeter::Sectors { sectors: 0 }, ..global };
+    let (c, _) = run(&one, ground(96, 96, 10.0, false), 5);
+    let left = |f: &HeightField| land(f).iter().filter(|l| **l).count() as f64;
+    // Lines across corners are shorter than stairs, so the sea is damped less.
+    assert!(left(&c) < left(&a) && left(&c) > 0.6 * left(&a), "{} {}", left(&c), left(&a));
+}
+
+#[test]
+fn counting_by_rows_agrees_with_counting_one_by_one() {
+    for wraps in [[false, false], [true, false], [true, true]] {
+        let shape = Shape::new(40, 50);
+        let sites: Vec<usize> = (0..2000).filter(|&i| Seed(3).uniform(i as u64) < 0.3).collect();
+        let sides: Vec<u8> = sites.iter().map(|&i| (Seed(4).uniform(i as u64) * 4.0) as u8).collect();
+        let coast = perimeter::Coast { sites: &sites, sides: &sides, shape, land: &[], wraps };
+        let all: Vec<u32> = (0..sites.len() as u32).collect();
+        for radius in [3.0, 11.5, 19.0] {
+            let (a, b) = perimeter::both_counts(&coast, &all, radius);
+            assert!(a == b, "{wraps:?} {radius}");
+        }
+    }
+}
+
+#[test]
+fn the_sea_rests_and_is_one() {
+    // CO10, CO11.
+    let params = CoastErosion { force: number(0.62), damping: number(0.1), ..CoastErosion::default() };
+    let (field, stopped) = run(&params, ground(128, 128, 10.0, false), 2);
+    assert_eq!(stopped, Stopped::AtRest);
+    let land = land(&field);
+    let sea = front::flood(&field.grid, field.elevation(), 0.0).unwrap();
+    assert!(land.iter().zip(&sea).all(|(l, s)| l != s), "all water reaches the border");
+    let age = field.fields().get(&names::SHORE_AGE, "test").unwrap();
+    for i in (0..land.len()).filter(|&i| age[i] > 1) {
+        let (r, c) = (i / 128, i % 128);
+        let older = [(r.wrapping_sub(1), c), (r + 1, c), (r, c.wrapping_sub(1)), (r, c + 1)]
+            .iter()
+            .any(|&(r, c)| r >= 128 || c >= 128 || (age[r * 128 + c] > 0 && age[r * 128 + c] < age[i]));
+        assert!(older, "what fell was beside the sea");
+    }
+    let (again, _) = run(&params, field.clone(), 2);
+    let fell = again.elevation().iter().zip(field.elevation()).filter(|(a, b)| a != b).count();
+    assert!(fell < land.len() / 2);
+}
+
+#[test]
+fn weakening_straightens_the_coast() {
+    // CO8, on the amounts of table 4.5. The coast wears (k = 1), and the sea stops at the same share of land. The effect is a few per cent.
+    let amounts = [0.0, 0.05, 0.075, 0.1, 0.15, 0.175];
+    let length = |amount: f64| {
+        let sum: f64 = (1..=8)
+            .map(|seed| {
+                let params = CoastErosion {
+                    force: number(0.5),
+                    damping: number(0.2),
+                    perimeter: Perimeter::Local { local: Length::of(150.0), search: Search::Contiguous },
+                    weakening: Some(Weakening { amount, radius: Length::of(25.0) }),
+                    wear: number(1.0),
+                    until: Until::Land { land: 0.55 },
+                    ..CoastErosion::default()
+                };
+                let (field, _) = run(&params, ground(256, 256, 15.0, false), seed);
+                let values: Vec<f64> = land(&field).iter().map(|&m| if m { 1.0 } else { -1.0 }).collect();
+                isolines(&field.grid, &values, 0.0).iter().map(|l| l.length()).sum::<f64>()
+            })
+            .sum();
+        sum / 8.0 / (4.0 * 256.0 * 15.0)
+    };
+    let lengths: Vec<f64> = amounts.iter().map(|&a| length(a)).collect();
+    // Spearman's rank correlation.
+    let rank = |k: usize| lengths.iter().filter(|l| **l < lengths[k]).count() as f64;
+    let apart: f64 = (0..6).map(|k| (rank(k) - k as f64) * (rank(k) - k as f64)).sum();
+    let spearman = 1.0 - 6.0 * apart / (6.0 * 35.0);
+    assert!(spearman <= -0.9, "{spearman} {lengths:?}");
+}
+
+#[test]
+fn every_parameter_may_be_a_map() {
+    let text = "force = { formula = \"if(u < 0.5, 0.45, 0.65)\", unit = \"1\" }\nperimeter = { local = \"100 m\" }";
+    let params: CoastErosion = toml_like(text);
+    let (field, _) = run(&params, ground(100, 100, 10.0, false), 3);
+    let land = land(&field);
+    let taken = |east: bool| (0..land.len()).filter(|&i| !land[i] && (i % 100 >= 50) == east).count();
+    assert!(taken(true) > 2 * taken(false), "{} {}", taken(true), taken(false));
+}
+
+/// Parameters from the little of TOML that this test needs.
+fn toml_like(text: &str) -> CoastErosion {
+    let mut json = serde_json::Map::new();
+    for line in text.lines() {
+        let (key, value) = line.split_once(" = ").unwrap();
+        let value = value
+            .replace(" = ", ": ")
+            .replace("formula", "\"formula\"")
+            .replace("unit", "\"unit\"")
+            .replace("local", "\"local\"");
+        json.insert(key.into(), serde_json::from_str(&value).unwrap());
+    }
+    serde_json::from_value(json.into()).unwrap()
+}
+
+#[test]
+fn wear_without_an_end_is_refused() {
+    let params = CoastErosion { wear: number(1.0), ..CoastErosion::default() };
+    let mut simulation =
+        Simulation::new(ground(20, 20, 1.0, false)).process(params).unwrap().dt(1.0).until(Stop::steps(5));
+    assert!(simulation.run().unwrap_err().to_string().contains("until"));
+}
+
+#[test]
+fn small_islands_go_and_large_ones_stay() {
+    let mut field = ground(40, 40, 1.0, false);
+    let z = field.elevation_mut();
+    z.iter_mut().for_each(|z| *z = -5.0);
+    for r in 5..20 {
+        for c in 5..20 {
+            z[r * 40 + c] = 4.0;
+        }
+    }
+    (30..34).for_each(|c| z[30 * 40 + c] = 4.0);
+    let context = Context { seed: Seed(1), maps: &NoMaps };
+    PruneIslands::default().edit(&mut field, &context).unwrap();
+    assert_eq!(land(&field).iter().filter(|l| **l).count(), 225);
+}
+
+#[test]
+fn the_inside_of_a_cone_is_a_cone() {
+    // Level sets at equal distances: heights are linear in the distance, without creases, whatever the interpolation.
+    let n = 121;
+    let grid = Grid::new(Shape::new(n, n), [1.0, 1.0]).unwrap();
+    let lattice = landform_core::grid::Lattice::of(&grid);
+    let radius = |i: usize| math::hypot((i % n) as f64 - 60.0, (i / n) as f64 - 60.0);
+    let levels: Vec<u32> =
+        (0..n * n).map(|i| if radius(i) >= 55.0 { 0 } else { 1 + ((55.0 - radius(i)) / 11.0) as u32 }).collect();
+    for (kind, most) in [(LevelInterpolation::Linear, 1.2), (LevelInterpolation::Hermite, 1.2)] {
+        let z = interior::heights(&lattice, &levels, 11.0, kind);
+        let worst =
+            (0..n * n).filter(|&i| levels[i] > 0).map(|i| (z[i] - (55.0 - radius(i))).abs()).fold(0.0, f64::max);
+        assert!(worst < most, "{kind:?} {worst}");
+    }
+    let terraces = interior::heights(&lattice, &levels, 11.0, LevelInterpolation::Nearest);
+    assert!(terraces.iter().all(|z| z % 11.0 == 0.0));
+}
+
+#[test]
+fn islands_get_hills_within_their_outline() {
+    for interpolation in [LevelInterpolation::Nearest, LevelInterpolation::Hermite] {
+        let mut field = ground(90, 90, 10.0, false);
+        let params = IslandInterior { interpolation, spacing: Length::of(80.0), ..IslandInterior::default() };
+        params.edit(&mut field, &Context { seed: Seed(3), maps: &NoMaps }).unwrap();
+        let levels = field.fields().get(&names::LEVEL_SET, "test").unwrap();
+        let most = *levels.iter().max().unwrap();
+        assert!(most >= 4 && levels.iter().all(|&l| l > 0), "{most}");
+        let top = field.elevation().iter().copied().fold(0.0, f64::max);
+        let interval = params.interval.si();
+        assert!(top >= f64::from(most - 1) * interval && top <= f64::from(most) * interval + 1e-9);
+        assert!(
+            field
+                .elevation()
+                .iter()
+                .zip(levels)
+                .all(|(z, &l)| { *z >= f64::from(l - 1) * interval - 1e-9 && *z <= f64::from(l) * interval + 1e-9 })
+        );
+    }
+}
