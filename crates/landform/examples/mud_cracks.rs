@@ -11,12 +11,12 @@ use landform::core::math;
 use landform::core::random::Seed;
 use landform::core::terrain::HeightField;
 use landform::io::format::encode_png;
-use landform::io::render::{MapStyle, shaded_map};
+use landform::io::render::{MapStyle, Ramp, shaded_map};
 
 /// How far a crack relieves the mud beside it, sites.
-const RELIEF: f64 = 14.0;
+const RELIEF: f64 = 18.0;
 /// Steps that a tip takes in a round.
-const STRIDE: usize = 6;
+const STRIDE: usize = 12;
 
 /// A drying layer of n by n sites after so many rounds. Cracks are 1 deep; plates curl up a little at their edges.
 pub fn mud_cracks(n: usize, rounds: u64, seed: u64) -> Result<HeightField> {
@@ -26,42 +26,37 @@ pub fn mud_cracks(n: usize, rounds: u64, seed: u64) -> Result<HeightField> {
     let strength: Vec<f64> = (0..n * n).map(|_| 0.8 + 0.4 * draws.uniform()).collect();
     let mut tension = vec![0.0; n * n];
     let mut cracked = vec![false; n * n];
-    // Tips of cracks are the agents; their state is where they are heading, radians.
-    let mut tips: Group<f64> = Group::new(n * n);
+    // Tips of cracks are the agents; their state is where they are heading, radians, and where within their site they are.
+    let mut tips: Group<(f64, [f64; 2])> = Group::new(n * n);
     for round in 0..rounds {
         // Drying pulls everywhere alike.
-        tension.iter_mut().for_each(|t| *t += 1.0 / rounds as f64 * 1.3);
+        tension.iter_mut().for_each(|t| *t += 1.3 / rounds as f64);
         // Where the mud is weakest against its tension, it tears both ways.
-        let weakest = (0..n * n)
-            .filter(|&i| !cracked[i])
-            .max_by(|&a, &b| (tension[a] / strength[a]).total_cmp(&(tension[b] / strength[b])));
-        if let Some(site) = weakest.filter(|&i| tension[i] > strength[i]) {
+        let pull = |i: usize| if cracked[i] { 0.0 } else { tension[i] / strength[i] };
+        let weakest = (0..n * n).max_by(|&a, &b| pull(a).total_cmp(&pull(b))).filter(|&i| pull(i) > 1.0);
+        if let Some(site) = weakest {
             let heading = draws.uniform() * std::f64::consts::TAU;
             cracked[site] = true;
-            for side in [0.0, std::f64::consts::PI] {
-                let way = [math::cos(heading + side) * 1.5, math::sin(heading + side) * 1.5, 0.0];
-                sites.step(site, way).map(|next| tips.join(next, heading + side));
+            for heading in [heading, heading + std::f64::consts::PI] {
+                let way = [1.5 * math::cos(heading), 1.5 * math::sin(heading), 0.0];
+                sites.step(site, way).map(|next| tips.join(next, (heading, [0.0; 2])));
             }
         }
         for _ in 0..STRIDE {
             tips.visit(Order::Shuffled(Seed(seed).with(round)), |tips, site| {
-                let Some(heading) = tips.leave(site) else { return };
+                let Some((heading, at)) = tips.leave(site) else { return };
                 // A tip that meets a crack has cut off a plate.
                 if std::mem::replace(&mut cracked[site], true) {
                     return;
                 }
-                let relieve = |near: usize, weight: f64| tension[near] *= 1.0 - 0.5 * weight;
+                // An avalanche: the mud beside the crack is relieved, and tears later or never.
+                let relieve = |near: usize, weight: f64| tension[near] *= 1.0 - 0.3 * weight;
                 avalanche(&sites, &mut search, site, RELIEF, Falloff::Linear, |_, _| true, relieve);
-                // It goes on where the pull is strongest: not towards cracks beside it, which have relieved the mud there.
-                let ahead = |turn: f64| {
-                    let way = heading + turn;
-                    let reach = |d: f64| sites.step(site, [math::cos(way) * d, math::sin(way) * d, 0.0]);
-                    Some((way, reach(1.2)?, tension[reach(RELIEF)?]))
-                };
-                let best =
-                    [0.0, -0.3, 0.3].into_iter().filter_map(ahead).reduce(|a, b| if b.2 > a.2 * 1.02 { b } else { a });
-                if let Some((way, next, _)) = best {
-                    tips.join(next, way);
+                let heading = heading + 0.35 * (draws.uniform() - 0.5);
+                let to = [at[0] + 1.1 * math::cos(heading), at[1] + 1.1 * math::sin(heading)];
+                if let Some(next) = sites.step(site, [to[0], to[1], 0.0]).filter(|&next| next != site) {
+                    let moved = sites.offset(site, next);
+                    tips.join(next, (heading, [to[0] - moved[0], to[1] - moved[1]]));
                 }
             });
         }
@@ -73,7 +68,8 @@ pub fn mud_cracks(n: usize, rounds: u64, seed: u64) -> Result<HeightField> {
 }
 
 fn main() -> Result<()> {
-    let map = shaded_map(&mud_cracks(320, 400, 1)?, &MapStyle { water: false, ..MapStyle::default() })?;
+    let map =
+        shaded_map(&mud_cracks(320, 400, 1)?, &MapStyle { water: false, ramp: Ramp::Grey, ..MapStyle::default() })?;
     let path = std::path::Path::new("mud_cracks.png");
     std::fs::write(path, encode_png(&map.pixels, map.shape)?).map_err(|e| landform::core::Error::io("write", path, e))
 }

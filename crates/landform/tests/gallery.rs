@@ -209,6 +209,22 @@ const SMALL: &[(&str, &[&str])] = &[
     ("scaling", &["plain.cell_size=160 m", "write_picture.size=160"]),
     ("layers", &["shape.cell_size=320 m", "write_picture.size=160"]),
     ("measured", &["elevation_file.cell_size=360 m", "write_picture.size=160"]),
+    ("werner_dunes", &["plain.cell_size=30 m", "deep.steps=6", "thin.steps=6", "write_picture.size=160"]),
+    ("protection_dunes", &["plain.cell_size=30 m", "deep.steps=4", "thin.steps=4", "write_picture.size=160"]),
+    ("barchans", &["flat.cell_size=4 m", "dunes.steps=40", "dunes.watch.size=64", "write_picture.size=160"]),
+    ("transverse_dunes", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
+    ("linear_dunes", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
+    ("star_dunes", &["flat.cell_size=4 m", "dunes.steps=60", "write_picture.size=160"]),
+    ("koh_dunes", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
+    ("rocks", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
+    ("snow", &["noise.cell_size=120 m", "write_picture.size=160"]),
+    ("coasts_global", &["square.cell_size=60 m", "write_picture.size=160"]),
+    ("coasts_local", &["square.cell_size=60 m", "write_picture.size=160"]),
+    ("coasts_weakened", &["square.cell_size=60 m", "write_picture.size=160"]),
+    ("mixed_coast", &["square.cell_size=60 m", "write_picture.size=160"]),
+    ("interior", &["square.cell_size=60 m", "write_picture.size=160"]),
+    ("sector_coasts", &["square.cell_size=80 m", "write_picture.size=160"]),
+    ("dunes_and_coast", &["flat.cell_size=8 m", "dunes.steps=40", "write_picture.size=160"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]

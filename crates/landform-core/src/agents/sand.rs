@@ -169,6 +169,13 @@ impl Sand {
         }
     }
 
+    /// Row and column of a site; 32-bit division is several times as fast.
+    #[inline]
+    fn place(&self, site: usize) -> (usize, usize) {
+        let (site, cols) = (site as u32, self.shape.cols as u32);
+        ((site / cols) as usize, (site % cols) as usize)
+    }
+
     /// The neighbour in a direction; none over a side that sand does not slip over.
     #[inline]
     fn beside(&self, site: usize, col: usize, row: usize, by: (i32, i32, usize)) -> Option<usize> {
@@ -187,7 +194,7 @@ impl Sand {
     fn downhill(&self, site: usize) -> Option<usize> {
         let z = self.surface[site];
         let Shape { rows, cols } = self.shape;
-        let (row, col) = (site / cols, site % cols);
+        let (row, col) = self.place(site);
         let [x, y, d] = self.steps;
         if row > 0 && row + 1 < rows && col > 0 && col + 1 < cols {
             // Almost always at rest: one look without branches.
@@ -208,7 +215,7 @@ impl Sand {
     fn uphill(&self, site: usize) -> Option<usize> {
         let z = self.surface[site];
         let Shape { rows, cols } = self.shape;
-        let (row, col) = (site / cols, site % cols);
+        let (row, col) = self.place(site);
         let [x, y, d] = self.steps;
         if row > 0 && row + 1 < rows && col > 0 && col + 1 < cols {
             let s = &self.surface;

@@ -96,7 +96,8 @@ impl Edit<HeightField> for IslandInterior {
         let sea = flood(&terrain.grid, z, self.sea_level.si())?;
         let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();
         let levels = self.levels(terrain, &land, context)?;
-        let heights = heights(&Lattice::of(&terrain.grid), &levels, self.interval.si(), self.interpolation);
+        let slope = self.interval.si() / self.spacing.si();
+        let heights = heights(&Lattice::of(&terrain.grid), &levels, self.interval.si(), slope, self.interpolation);
         for i in 0..land.len() {
             if land[i] {
                 terrain.elevation_mut()[i] = self.sea_level.si() + heights[i];
@@ -168,8 +169,14 @@ fn land_or_before(level_of: u32, level: u32, is_land: bool) -> bool {
     is_land || level_of < level
 }
 
-/// Heights above the sea of land in numbered bands, m; 0 at sea.
-pub(super) fn heights(lattice: &Lattice, levels: &[u32], interval: f64, interpolation: LevelInterpolation) -> Vec<f64> {
+/// Heights above the sea of land in numbered bands, m; 0 at sea. `typical_slope` is that of islets within which no level set lies.
+pub(super) fn heights(
+    lattice: &Lattice,
+    levels: &[u32],
+    interval: f64,
+    typical_slope: f64,
+    interpolation: LevelInterpolation,
+) -> Vec<f64> {
     let floor = |i: usize| f64::from(levels[i].saturating_sub(1)) * interval;
     if interpolation == LevelInterpolation::Nearest {
         return (0..levels.len()).map(floor).collect();
@@ -189,7 +196,7 @@ pub(super) fn heights(lattice: &Lattice, levels: &[u32], interval: f64, interpol
             (false, false) => (2.0 / (1.0 / own + 1.0 / other)).min(3.0 * own.min(other)),
             (false, true) => own,
             (true, false) => other,
-            (true, true) => interval / lattice.spacing[0],
+            (true, true) => typical_slope,
         };
         let outer = at_set(beyond(&below));
         if !w.is_finite() {

@@ -50,22 +50,20 @@ impl Edit<HeightField> for PruneIslands {
             if std::mem::replace(&mut seen[first], true) {
                 continue;
             }
-            let (mut island, mut next, mut sides, mut leaves) = (vec![first], 0, 0, false);
+            let (mut island, mut next, mut sides) = (vec![first], 0, 0);
             while let Some(&site) = island.get(next) {
                 next += 1;
-                let mut around = 0;
+                // Beyond the map lies the sea.
+                sides += 4 - sites.neighbours(site).count();
                 for near in sites.neighbours(site) {
-                    around += 1;
                     if sea[near.site] {
                         sides += 1;
                     } else if !std::mem::replace(&mut seen[near.site], true) {
                         island.push(near.site);
                     }
                 }
-                leaves |= around < 4;
             }
-            // Land that goes on beyond the map may be large there.
-            if !leaves && f64::from(sides) * cell < least {
+            if sides as f64 * cell < least {
                 let floor = self.sea_level.si() - self.depth.si();
                 for &site in &island {
                     let z = &mut terrain.elevation_mut()[site];

@@ -111,8 +111,8 @@ impl Field {
     #[inline]
     pub(super) fn hop(&self, site: usize, cols: i64, rows: i64) -> Option<usize> {
         let shape = self.sand.shape();
-        let cell = shape.cell(site);
-        let (c, r) = (cell.col as i64 + cols, cell.row as i64 + rows);
+        let wide = shape.cols as u32;
+        let (c, r) = (i64::from(site as u32 % wide) + cols, i64::from(site as u32 / wide) + rows);
         if (c as u64) < shape.cols as u64 && (r as u64) < shape.rows as u64 {
             return Some(shape.index(r as usize, c as usize));
         }

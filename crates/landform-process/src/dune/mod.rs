@@ -58,6 +58,7 @@ pub struct State {
 struct Scratch {
     /// Height that the air is sheltered to, or strength of the wind.
     air: Vec<f32>,
+    lines: Vec<f32>,
     sheltered: Vec<bool>,
 }
 

@@ -32,14 +32,19 @@ pub(super) fn round(
     let towards = rose.winds()[wind].towards();
     let sweep = Sweep::new(grid.shape, grid.spacing, field.is_torus(), towards);
     let hop = field.cells_of(towards, params.hop.si(), grid.spacing);
-    let slab = params_slab(field);
+    let slab = field.sand.slab();
     scratch.air.resize(n, 0.0);
     scratch.sheltered.resize(n, false);
     for look in 0..LOOKS_A_ROUND {
         match &mut protection {
             None => {
                 let surface = field.sand.surface();
-                sweep.shelter(|i| surface[i] as f32, field.fall(params.shadow.si(), sweep.pace), &mut scratch.air);
+                sweep.shelter(
+                    |i| surface[i] as f32,
+                    field.fall(params.shadow.si(), sweep.pace),
+                    &mut scratch.lines,
+                    &mut scratch.air,
+                );
                 for i in 0..n {
                     // Half a unit is rounding.
                     scratch.sheltered[i] = scratch.air[i] > surface[i] as f32 + 0.5;
@@ -57,10 +62,6 @@ pub(super) fn round(
             blow(params, field, &scratch.sheltered, hop, slab, sites, times, &mut stream);
         }
     }
-}
-
-fn params_slab(field: &Field) -> i32 {
-    field.sand.slab()
 }
 
 /// A chance as a bound on 32 random bits.

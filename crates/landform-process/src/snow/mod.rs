@@ -215,7 +215,12 @@ impl Snow {
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i]).collect();
         let mut shelter = vec![0.0f32; surface.len()];
         let fall = (math::tan(self.shadow.si()) * sweep.pace) as f32;
-        sweep.shelter(|i| if surface[i].is_nan() { f32::NEG_INFINITY } else { surface[i] as f32 }, fall, &mut shelter);
+        sweep.shelter(
+            |i| if surface[i].is_nan() { f32::NEG_INFINITY } else { surface[i] as f32 },
+            fall,
+            &mut Vec::new(),
+            &mut shelter,
+        );
         let slope = parallel::map(surface.len(), |i| {
             let g = gradient(grid, &surface, i);
             let along = g.x * towards[0] + g.y * towards[1];
