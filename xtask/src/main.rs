@@ -14,7 +14,7 @@ const HELP: &str = "cargo xtask COMMAND
   layers              checks who imports whom
   gallery [--accept]  runs the gallery's goldens, or accepts what comes out now
   fuzz [SECONDS]      throws damaged files at every reader, SECONDS each (60)
-  reproduce bell      a thesis' tables and figures, ours beside its own (docs/bell)
+  reproduce NAME      a thesis' tables and figures, ours beside its own (docs); without a name: which there are
   validate            convergence studies; prints tables
   bench               cargo bench";
 
@@ -25,7 +25,7 @@ fn main() -> ExitCode {
         Some("layers") => layers::check(),
         Some("gallery") => gallery(args.iter().any(|a| a == "--accept")),
         Some("fuzz") => fuzz::run(args.get(1).and_then(|s| s.parse().ok()).unwrap_or(60.0)),
-        Some("reproduce") => reproduce::run(args.get(1).map(String::as_str)),
+        Some("reproduce") => reproduce::run(&args[1..]),
         Some("validate") => validate::run(),
         Some("bench") => cargo(&["bench", "--workspace"], &[]),
         _ => {

@@ -19,7 +19,7 @@ const WEAKENING: f64 = 0.035;
 const FORCE: f64 = 0.16;
 
 /// A flat surface of n by n sites after so many rounds of corrosion.
-pub fn corrosion(n: usize, rounds: usize, seed: u64) -> Result<HeightField> {
+pub(crate) fn corrosion(n: usize, rounds: usize, seed: u64) -> Result<HeightField> {
     let mut grid = Grid::new(Shape::new(n, n), [1.0, 1.0])?;
     grid.edges = Edges::all(Edge::Periodic);
     let sites = RasterSites::new(&grid, Connectivity::Eight)?;

@@ -9,13 +9,13 @@ use landform::core::random::Seed;
 use landform::io::format::encode_animation;
 
 /// Alive with three living neighbours; alive with two, if it was.
-pub fn life(n: Neighbourhood<bool>) -> bool {
+pub(crate) fn life(n: Neighbourhood<bool>) -> bool {
     let neighbours = n.around.iter().filter(|alive| **alive).count();
     neighbours == 3 || n.cell && neighbours == 2
 }
 
 /// A torus of which a third lives at random.
-pub fn world(n: usize, seed: u64) -> Result<Automaton<bool>> {
+pub(crate) fn world(n: usize, seed: u64) -> Result<Automaton<bool>> {
     let cells = (0..n * n).map(|i| Seed(seed).uniform(i as u64) < 1.0 / 3.0).collect();
     Automaton::new(Shape::new(n, n), cells, None)
 }

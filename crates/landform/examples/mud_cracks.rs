@@ -19,7 +19,7 @@ const RELIEF: f64 = 18.0;
 const STRIDE: usize = 12;
 
 /// A drying layer of n by n sites after so many rounds. Cracks are 1 deep; plates curl up a little at their edges.
-pub fn mud_cracks(n: usize, rounds: u64, seed: u64) -> Result<HeightField> {
+pub(crate) fn mud_cracks(n: usize, rounds: u64, seed: u64) -> Result<HeightField> {
     let grid = Grid::new(Shape::new(n, n), [1.0, 1.0])?;
     let sites = RasterSites::new(&grid, Connectivity::Eight)?;
     let (mut search, mut draws) = (Search::new(n * n), Seed(seed).draws());

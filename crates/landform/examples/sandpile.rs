@@ -12,7 +12,7 @@ use landform::io::format::encode_png;
 use landform::io::render::{MapStyle, Ramp, shaded_map, value_picture};
 
 /// Slabs of sand at random heights on a torus of n by n sites, after they have slipped; and before.
-pub fn sandpile(n: usize, seed: u64) -> Result<[HeightField; 2]> {
+pub(crate) fn sandpile(n: usize, seed: u64) -> Result<[HeightField; 2]> {
     let mut grid = Grid::new(Shape::new(n, n), [1.0, 1.0])?;
     grid.edges = Edges::all(Edge::Periodic);
     // Two slabs are the most that one site may stand above the next, three along the diagonal.

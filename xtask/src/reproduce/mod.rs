@@ -2,28 +2,46 @@
 
 mod bell;
 mod pytel;
+mod self_organised;
 
 use std::path::Path;
 use std::process::Command;
 
+/// Names of what can be reproduced, with what that is.
+const THESES: &[(&str, &str)] = &[
+    ("bell", "Bell's thesis on stream power: docs/bell/README.md"),
+    ("pytel", "Pytel's figures of synthesis and analysis: docs/pytel/README.md"),
+    ("pytel-dunes", "Pytel's dunes: docs/pytel/dunes.md"),
+    ("pytel-coasts", "Pytel's coasts: docs/pytel/coasts.md"),
+    ("koh-dunes", "Koh's dunes: docs/koh/README.md"),
+];
+
 /// Runs, in a release build whatever this one is.
-pub(crate) fn run(which: Option<&str>) -> bool {
-    let Some(thesis @ ("bell" | "pytel")) = which else {
-        println!("cargo xtask reproduce bell    Bell's thesis on stream power: docs/bell/README.md");
-        println!("cargo xtask reproduce pytel   Pytel's figures of synthesis and analysis: docs/pytel/README.md");
+pub(crate) fn run(which: &[String]) -> bool {
+    let known = |name: &String| THESES.iter().any(|t| t.0 == name);
+    if which.is_empty() || !which.iter().all(known) {
+        for (name, what) in THESES {
+            println!("cargo xtask reproduce {name:<13} {what}");
+        }
         return false;
-    };
+    }
     if cfg!(debug_assertions) {
-        let args = ["run", "--release", "--quiet", "--package", "xtask", "--", "reproduce", thesis];
-        return Command::new("cargo").args(args).status().is_ok_and(|s| s.success());
+        let args = ["run", "--release", "--quiet", "--package", "xtask", "--", "reproduce"];
+        return Command::new("cargo").args(args).args(which).status().is_ok_and(|s| s.success());
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let done = if thesis == "bell" { bell::run(&root) } else { pytel::run(&root) };
-    match done {
-        Ok(()) => true,
-        Err(e) => {
+    for name in which {
+        let done = match name.as_str() {
+            "bell" => bell::run(&root),
+            "pytel" => pytel::run(&root),
+            "pytel-dunes" => self_organised::run(&root, &self_organised::PYTEL_DUNES),
+            "pytel-coasts" => self_organised::run(&root, &self_organised::PYTEL_COASTS),
+            _ => self_organised::run(&root, &self_organised::KOH_DUNES),
+        };
+        if let Err(e) = done {
             eprintln!("error: {e}");
-            false
+            return false;
         }
     }
+    true
 }
