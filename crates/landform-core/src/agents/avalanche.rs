@@ -51,7 +51,7 @@ pub fn cascade(pending: &mut Vec<usize>, mut topple: impl FnMut(usize, &mut Vec<
     }
 }
 
-/// The sites around any site of a raster that an event reaches, with weights, found once: the fast form of [`avalanche`] where nothing
+/// The sites around any site of a raster that an event reaches, with weights, found once: the fast form of [`avalanche()`] where nothing
 /// stands in the way.
 #[derive(Clone, Debug)]
 pub struct Stencil {

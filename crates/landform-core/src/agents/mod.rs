@@ -2,7 +2,7 @@
 //!
 //! Free of physics. Agents of one kind form a [`Group`]: at most one a site, with a state of its own and globals that all share. They
 //! join and leave sites, are protected from acting in the visit in which they were born, look around with a [`Search`], and set off
-//! avalanches: one event that makes like events around it more likely ([`avalanche`], or a [`Stencil`] where the sites are a raster),
+//! avalanches: one event that makes like events around it more likely ([`avalanche()`], or a [`Stencil`] where the sites are a raster),
 //! or that sets off others until nothing moves ([`cascade`]). Sites are plain indices of anything that is [`Sites`]: a raster, a mesh, a
 //! box of voxels. [`Automaton`] is the other style: a rule (cell, eight neighbours) → cell for all cells at once. [`Sand`] is what both
 //! often end in: slabs that slip at the angle of repose.

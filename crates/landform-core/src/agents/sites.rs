@@ -132,7 +132,7 @@ impl Sites for RasterSites {
         let diagonals = match self.connectivity {
             Connectivity::Four => false,
             Connectivity::Eight => true,
-            Connectivity::FourEight => (cell.row + cell.col) % 2 == 0,
+            Connectivity::FourEight => (cell.row + cell.col).is_multiple_of(2),
         };
         let step = if diagonals { 1 } else { 2 };
         let [dx, dy] = self.spacing;
