@@ -38,7 +38,8 @@ Written by `cargo xtask reproduce pytel-dunes`. Sites are 15 m wide (the thesis 
 the machine that wrote the page, one run; the thesis' are 40 to 67 s for one field of 256 x 128 on an Athlon 4400+.
 
 Table 4.1 of the thesis, share of sites within a tenth of the angle of repose: shadowing 19.7 % (first start) and 3.4 % (second), protection 50.8 % and 10.2 %. Its starts are not given. Ours are random heaps; shadowing
-leaves no dunes of them in 20 rounds, so it runs for 150. That protection makes steeper dunes in fewer rounds is as the thesis says.
+leaves no dunes of them in 20 rounds, so it runs for 150. Shelter by protection against geometric shadows: 36.5 % and 20.8 % of all sites there, 10.1 % and 1.7 % without peaks and troughs (here: sites in the middle third of the heights around
+them). That protection makes steeper dunes in fewer rounds is as the thesis says.
 
 ",
     figures: &[
@@ -136,8 +137,13 @@ impl Figure {
 fn numbers(m: &Json) -> String {
     let v = |key: &str| m[key].as_f64().unwrap_or(f64::NAN);
     if m["class"].is_string() {
+        let error = |key: &str| m["shadow"][key].as_f64().map(|v| 100.0 * v);
+        let shadow = match (error("all"), error("flanks")) {
+            (Some(all), Some(flanks)) => format!("<br>shelter differs from shadow {all:.1} %, on flanks {flanks:.1} %"),
+            _ => String::new(),
+        };
         return format!(
-            "{}<br>spacing {:.0} m, relief {:.1} m<br>bare {:.0} %, near repose {:.1} %<br>crests {:.0}° off the wind, RDP/DP {:.2}",
+            "{}<br>spacing {:.0} m, relief {:.1} m<br>bare {:.0} %, near repose {:.1} %<br>crests {:.0}° off the wind, RDP/DP {:.2}{shadow}",
             m["class"].as_str().unwrap_or("–"),
             v("spacing"),
             v("relief"),

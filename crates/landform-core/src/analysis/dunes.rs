@@ -57,6 +57,17 @@ pub struct Dunes {
     pub steadiness: f64,
     /// Angle between crests and the resultant of the winds, degrees from 0 to 90.
     pub crest_to_wind: f64,
+    /// How far the shelter by which sand was moved is from a shadow of 15 degrees; none where it is not known.
+    pub shadow: Option<ShadowError>,
+}
+
+/// Shelter by another rule against the geometric shadow, as shares of sites where they disagree.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ShadowError {
+    /// Of all sites.
+    pub all: f64,
+    /// Of sites that are neither on peaks nor in troughs: within the middle third of the heights around them.
+    pub flanks: f64,
 }
 
 /// Less sand than this part of a cell is none.
@@ -113,6 +124,7 @@ pub fn dunes(grid: &Grid, z: &[f64], sand: &[f64], rose: &Rose, repose: f64, tor
         slip_directions: slip_directions(&slopes, repose, is_sand),
         steadiness: rose.steadiness(),
         crest_to_wind,
+        shadow: None,
     };
     dunes.class = class(&dunes, cell);
     dunes
@@ -127,13 +139,56 @@ fn class(d: &Dunes, cell: f64) -> DuneClass {
         DuneClass::None
     } else if d.slip_directions >= 3 && d.alignment < 0.4 && d.steadiness < 0.5 {
         DuneClass::Star
-    } else if d.crest_to_wind < 30.0 {
+    } else if d.crest_to_wind < 30.0 && d.alignment > 0.15 {
         DuneClass::Linear
     } else if d.bare_share > 0.55 {
         DuneClass::Barchan
     } else {
         DuneClass::Transverse
     }
+}
+
+/// Holds `shelter` (parts of the winds) against the shadows of 15 degrees that the ground casts in each wind. Peaks and troughs are told
+/// by the range of heights within half a `spacing`. **Cost** O(n · relief / cell).
+pub fn shadow_error(grid: &Grid, z: &[f64], shelter: &[f64], rose: &Rose, spacing: f64, torus: bool) -> ShadowError {
+    let cell = grid.spacing[0].min(grid.spacing[1]);
+    let fall = math::tan(15f64.to_radians()) * cell;
+    let highest = parallel::max(z.len(), |i| z[i]);
+    let total: f64 = rose.winds().iter().map(|w| w.weight).sum();
+    let hidden = |i: usize, towards: [f64; 2]| {
+        let here = grid.shape.cell(i);
+        let by = [towards[0] * cell / grid.spacing[0], -towards[1] * cell / grid.spacing[1]];
+        (1..)
+            .map_while(|k| {
+                let k = f64::from(k);
+                (z[i] + k * fall < highest).then_some(k)
+            })
+            .any(|k| {
+                let (r, c) =
+                    ((here.row as f64 - k * by[1]).round() as i64, (here.col as f64 - k * by[0]).round() as i64);
+                moved(grid, r, c, torus).is_some_and(|j| z[j] > z[i] + k * fall)
+            })
+    };
+    let reach = ((0.5 * spacing / cell) as i64).max(2);
+    let is_flank = |i: usize| {
+        let here = grid.shape.cell(i);
+        let around = (-reach..=reach).flat_map(|r| (-reach..=reach).map(move |c| (r, c)));
+        let heights =
+            around.filter_map(|(r, c)| Some(z[moved(grid, here.row as i64 + r, here.col as i64 + c, torus)?]));
+        let (lo, hi) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
+        let part = (z[i] - lo) / (hi - lo).max(1e-300);
+        (1.0 / 3.0..=2.0 / 3.0).contains(&part)
+    };
+    let found = parallel::map(z.len(), |i| {
+        let geometric: f64 =
+            rose.winds().iter().map(|w| if hidden(i, w.towards()) { w.weight / total } else { 0.0 }).sum();
+        ((geometric > 0.5) != (shelter[i] > 0.5), is_flank(i))
+    });
+    let share = |flanks: bool| {
+        let of: Vec<bool> = found.iter().filter(|f| !flanks || f.1).map(|f| f.0).collect();
+        of.iter().filter(|d| **d).count() as f64 / of.len().max(1) as f64
+    };
+    ShadowError { all: share(false), flanks: share(true) }
 }
 
 /// The steepest side of a node towards its eight neighbours, rise over run.

@@ -19,7 +19,7 @@ pub use coast::{
     Coast, Dimension, box_counts, coast, dimension_by_boxes, dimension_by_divider, divider_steps, project,
 };
 pub use compare::{Comparison, compare};
-pub use dunes::{DuneClass, Dunes, dunes};
+pub use dunes::{DuneClass, Dunes, ShadowError, dunes, shadow_error};
 pub use form::{Form, form, form_of, share_in_sinks};
 pub use hypsometry::{HypsometricClass, Hypsometry, ModelCurve, classify, hypsometry, of_sorted};
 pub use metrics::{Drawings, Elevations, Metrics, SPECTRUM_PLOT, metrics};

@@ -65,6 +65,12 @@ pub const SNOW_DEPTH: Key<f64> = Key::new("snow_depth", "m", "depth of snow on t
 /// Strength of the wind.
 pub const WIND: Key<f64> =
     Key::new("wind", "1", "strength of the wind over the ground, 1 where nothing stands in its way");
+/// Shelter from the winds.
+pub const SHELTER: Key<f64> = Key::new(
+    "shelter",
+    "1",
+    "part of the winds, by weight, from which the place is sheltered by the rules that moved the sand",
+);
 /// When the sea came.
 pub const SHORE_AGE: Key<u32> =
     Key::new("shore_age", "1", "round in which the sea took the place; 0 where it did not, or was before");
@@ -94,6 +100,7 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (SAND_DEPTH.name, SAND_DEPTH.unit, SAND_DEPTH.meaning),
     (SNOW_DEPTH.name, SNOW_DEPTH.unit, SNOW_DEPTH.meaning),
     (WIND.name, WIND.unit, WIND.meaning),
+    (SHELTER.name, SHELTER.unit, SHELTER.meaning),
     (SHORE_AGE.name, SHORE_AGE.unit, SHORE_AGE.meaning),
     (LEVEL_SET.name, LEVEL_SET.unit, LEVEL_SET.meaning),
 ];

@@ -1,7 +1,7 @@
 //! Measures of a dune field.
 
 use landform_core::Result;
-use landform_core::analysis::{Dunes, dunes};
+use landform_core::analysis::{Dunes, dunes, shadow_error};
 use landform_core::field::names;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::Angle;
@@ -56,6 +56,11 @@ impl Measure<HeightField> for MeasureDunes {
     fn measure(&self, terrain: &HeightField) -> Result<Dunes> {
         let sand = terrain.fields().get(&names::SAND_DEPTH, Self::NAME)?;
         let rose = Rose::new("wind", &self.wind)?;
-        Ok(dunes(&terrain.grid, terrain.elevation(), sand, &rose, self.repose.si(), self.periodic))
+        let (grid, z) = (&terrain.grid, terrain.elevation());
+        let mut found = dunes(grid, z, sand, &rose, self.repose.si(), self.periodic);
+        if let (Ok(shelter), Some(spacing)) = (terrain.fields().get(&names::SHELTER, Self::NAME), found.spacing) {
+            found.shadow = Some(shadow_error(grid, z, shelter, &rose, spacing, self.periodic));
+        }
+        Ok(found)
     }
 }

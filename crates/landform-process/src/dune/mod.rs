@@ -63,7 +63,7 @@ struct Scratch {
 }
 
 impl Process<HeightField> for Dunes {
-    const WRITES: &'static [&'static str] = &["elevation", "sand_depth", "wind"];
+    const WRITES: &'static [&'static str] = &["elevation", "sand_depth", "shelter", "wind"];
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
@@ -116,12 +116,33 @@ impl Process<HeightField> for Dunes {
         if self.smoothing > 0.0 {
             smooth::diffuse(terrain, &state.field, self.smoothing, self.borders == Borders::Periodic);
         }
-        if self.model == Model::Koh {
+        if self.model != Model::Koh {
+            let shelter = self.shelter(terrain, state)?;
+            terrain.fields_mut().insert(&names::SHELTER, shelter);
+        } else {
             let wind = state.scratch.air.iter().map(|&w| f64::from(w)).collect::<Vec<_>>();
             if wind.len() == terrain.grid.len() {
                 terrain.fields_mut().insert(&names::WIND, wind);
             }
         }
         Ok(())
+    }
+}
+
+impl Dunes {
+    /// Part of the winds from which each site is sheltered by the model's own rule, on the sand as it lies.
+    fn shelter(&self, terrain: &HeightField, state: &mut State) -> Result<Vec<f64>> {
+        let State { field, protection, scratch, .. } = state;
+        let rose = Rose::new("wind", &self.wind)?;
+        let total: f64 = rose.winds().iter().map(|w| w.weight).sum();
+        let mut part = vec![0.0; terrain.grid.len()];
+        for (k, wind) in rose.winds().iter().enumerate() {
+            let at = (k, wind.towards());
+            slabs::find_shelter(self, &terrain.grid, field, protection.as_mut(), scratch, at);
+            part.iter_mut()
+                .zip(&scratch.sheltered)
+                .for_each(|(p, s)| *p += f64::from(u8::from(*s)) * wind.weight / total);
+        }
+        Ok(part)
     }
 }

@@ -30,31 +30,10 @@ pub(super) fn round(
 ) {
     let n = grid.len();
     let towards = rose.winds()[wind].towards();
-    let sweep = Sweep::new(grid.shape, grid.spacing, field.is_torus(), towards);
     let hop = field.cells_of(towards, params.hop.si(), grid.spacing);
     let slab = field.sand.slab();
-    scratch.air.resize(n, 0.0);
-    scratch.sheltered.resize(n, false);
     for look in 0..LOOKS_A_ROUND {
-        match &mut protection {
-            None => {
-                let surface = field.sand.surface();
-                sweep.shelter(
-                    |i| surface[i] as f32,
-                    field.fall(params.shadow.si(), sweep.pace),
-                    &mut scratch.lines,
-                    &mut scratch.air,
-                );
-                for i in 0..n {
-                    // Half a unit is rounding.
-                    scratch.sheltered[i] = scratch.air[i] > surface[i] as f32 + 0.5;
-                }
-            }
-            Some(protection) => {
-                protection.update(field);
-                protection.sheltered(wind, &mut scratch.sheltered);
-            }
-        }
+        find_shelter(params, grid, field, protection.as_deref_mut(), scratch, (wind, towards));
         let mut stream = seed.with(look).stream();
         for strip in 0..n.div_ceil(STRIP) {
             let sites = strip * STRIP..((strip + 1) * STRIP).min(n);
@@ -62,6 +41,33 @@ pub(super) fn round(
             blow(params, field, &scratch.sheltered, hop, slab, sites, times, &mut stream);
         }
     }
+}
+
+/// Finds which sites are sheltered from a wind of the rose, into `scratch.sheltered`.
+pub(super) fn find_shelter(
+    params: &Dunes,
+    grid: &Grid,
+    field: &Field,
+    protection: Option<&mut Protection>,
+    scratch: &mut Scratch,
+    (wind, towards): (usize, [f64; 2]),
+) {
+    let n = grid.len();
+    scratch.sheltered.resize(n, false);
+    let Some(protection) = protection else {
+        let sweep = Sweep::new(grid.shape, grid.spacing, field.is_torus(), towards);
+        let surface = field.sand.surface();
+        let fall = field.fall(params.shadow.si(), sweep.pace);
+        scratch.air.resize(n, 0.0);
+        sweep.shelter(|i| surface[i] as f32, fall, &mut scratch.lines, &mut scratch.air);
+        for i in 0..n {
+            // Half a unit is rounding.
+            scratch.sheltered[i] = scratch.air[i] > surface[i] as f32 + 0.5;
+        }
+        return;
+    };
+    protection.update(field);
+    protection.sheltered(wind, &mut scratch.sheltered);
 }
 
 /// A chance as a bound on 32 random bits.

@@ -287,7 +287,25 @@ fn protection_makes_steeper_dunes_and_agrees_with_shadows() {
         ..Dunes::default()
     };
     let shadows = measured(&blown(start(), &table(Model::Werner, 140.0), 20, 1), &west());
-    let cones = measured(&blown(start(), &table(Model::Protection, 80.0), 20, 1), &west());
+    let protected = blown(start(), &table(Model::Protection, 80.0), 20, 1);
+    let cones = measured(&protected, &west());
+    let rose = Rose::new("wind", &table(Model::Werner, 1.0).wind).unwrap();
+    let error = |f: &HeightField| {
+        let shelter = f.fields().get(&names::SHELTER, "test").unwrap();
+        landform_core::analysis::shadow_error(
+            &f.grid,
+            f.elevation(),
+            shelter,
+            &rose,
+            measured(f, &rose).spacing.unwrap(),
+            true,
+        )
+    };
+    let found = error(&protected);
+    assert!(found.flanks <= 0.1 && found.all > found.flanks, "{found:?}");
+    // Werner's own shelter is the shadow, but for how lines of sight are rounded to sites.
+    let own = error(&blown(start(), &table(Model::Werner, 140.0), 150, 1));
+    assert!(own.all < 0.05, "{own:?}");
     assert!(
         cones.near_repose_share > 2.0 * shadows.near_repose_share,
         "{} {}",
