@@ -100,9 +100,13 @@ impl Sand {
         self.slab
     }
 
-    /// Sets the height of the hard ground; sand on it goes up and down with it. Call [`Sand::settle`] after.
-    pub fn set_ground(&mut self, site: usize, units: i32) {
-        self.surface[site] = units + self.depth(site);
+    /// Sets the height of the hard ground and the sand on it, as something else has left them. What then stands too steep slips when it is
+    /// next touched; sites that swallow keep no sand.
+    pub fn set_site(&mut self, site: usize, ground: i32, depth: i32) {
+        if !self.is_sink(site) {
+            self.depth[site] = depth.max(0);
+        }
+        self.surface[site] = ground + self.depth(site);
     }
 
     /// Takes up to so much sand without letting any slip; call [`Sand::settle`] after. How much was taken.
@@ -272,8 +276,10 @@ impl Sand {
 
     /// Moves a slab from a site to a lower neighbour; both and what stands above the first are looked at again.
     fn fall(&mut self, from: usize, to: usize) {
-        // At most half of the drop, so that every fall brings sand down and avalanches end.
-        let amount = self.slab.min(self.depth[from]).min(((self.surface[from] - self.surface[to]) / 2).max(1));
+        // At most half of the drop, so that every fall brings sand down and avalanches end; where it towers, more than a slab at once.
+        let drop = self.surface[from] - self.surface[to];
+        let over = drop - self.steps[0].max(self.steps[1]).max(self.steps[2]);
+        let amount = self.slab.max(over / 4).min(self.depth[from]).min((drop / 2).max(1));
         self.depth[from] -= amount;
         self.surface[from] -= amount;
         if self.is_sink(to) {

@@ -384,8 +384,10 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         let (clock, seed, cancel) = (self.clock, self.seed, &self.cancel);
         let may_be_last =
             self.stop.steady.is_some() || self.steps_are_used_up(clock.steps + 1) || self.is_end_time(clock.time + dt);
+        let of = self.stop.steps.filter(|_| self.stop.time.is_none() && self.stop.steady.is_none());
         let at = |k: usize| Step {
             index: clock.steps,
+            of,
             time: clock.time,
             dt,
             may_be_last,

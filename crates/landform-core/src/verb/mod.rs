@@ -190,6 +190,8 @@ pub struct OwnClock {
 pub struct Step {
     /// Number of the step, from 0.
     pub index: u64,
+    /// Most steps of the run, if that and nothing else ends it.
+    pub of: Option<u64>,
     /// Time at the start of the step, s.
     pub time: f64,
     /// Length of the step, s.

@@ -16,8 +16,8 @@ pub(super) struct Round {
     pub(super) needed: f64,
 }
 
-/// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells weaken by their part of it, so that the
-/// coast does not depend on them. The seed's sites of 15 m and radius of 25 m are of this size.
+/// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells weaken by their part of it, so that
+/// the weakening by an area that falls does not depend on them. The seed's sites of 15 m and radius of 25 m are of this size.
 const WHOLE_EVENT: f64 = 0.6;
 
 /// What drives the sea at each site.

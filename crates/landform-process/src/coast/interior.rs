@@ -7,12 +7,16 @@
 //! within the band between them by fast marching, linearly or by Hermite's polynomials with limited slopes at the level sets, so that the
 //! ground has no creases there. On summits, within the last level set, the slope at it goes on, up to one interval.
 //!
+//! # Limits
+//! A level set closes when any one finger of the front has come too far, so sets lie closer than `spacing`, the closer the finer the cells
+//! and the less weakening there is; slopes are steeper than interval over spacing.
+//!
 //! # Sources
 //! Pytel (2015), listing 4.1; Hormann, Spinello & Schroeder (2003) for slopes across level sets; Fritsch & Carlson (1980) for their limit.
 
 use landform_core::algo::fast_marching::{Order, march};
 use landform_core::field::names;
-use landform_core::grid::Lattice;
+use landform_core::grid::{Edge, Lattice, Side};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Length, Ratio};
 use landform_core::verb::{Context, Edit, Params, Source};
@@ -72,7 +76,7 @@ impl Default for IslandInterior {
             damping: Ratio::of(0.15),
             perimeter: Perimeter::Whole(Whole::Global),
             exposure: Exposure::Proportional,
-            weakening: None,
+            weakening: Some(Weakening { amount: 0.3, radius: Length::of(60.0) }),
             spacing: Length::of(100.0),
             interval: Length::of(20.0),
             interpolation: LevelInterpolation::Hermite,
@@ -92,12 +96,24 @@ impl Params for IslandInterior {
 
 impl Edit<HeightField> for IslandInterior {
     fn edit(&self, terrain: &mut HeightField, context: &Context) -> Result<()> {
+        if let Some(w) = self.weakening {
+            crate::mechanism::within_map("weakening", w.radius, &terrain.grid)?;
+        }
         let z = terrain.elevation();
         let sea = flood(&terrain.grid, z, self.sea_level.si())?;
         let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();
         let levels = self.levels(terrain, &land, context)?;
         let slope = self.interval.si() / self.spacing.si();
-        let heights = heights(&Lattice::of(&terrain.grid), &levels, self.interval.si(), slope, self.interpolation);
+        let (shape, edges) = (terrain.grid.shape, terrain.grid.edges);
+        // The sea beyond the map's open sides.
+        let shore = |i: usize| {
+            let cell = shape.cell(i);
+            let at = [cell.row == 0, cell.col + 1 == shape.cols, cell.row + 1 == shape.rows, cell.col == 0];
+            let sides = [Side::North, Side::East, Side::South, Side::West];
+            levels[i] == 1 && at.iter().zip(sides).any(|(at, side)| *at && edges.get(side) == Edge::Open)
+        };
+        let lattice = Lattice::of(&terrain.grid);
+        let heights = heights(&lattice, &levels, self.interval.si(), slope, self.interpolation, shore);
         for i in 0..land.len() {
             if land[i] {
                 terrain.elevation_mut()[i] = self.sea_level.si() + heights[i];
@@ -176,13 +192,15 @@ pub(super) fn heights(
     interval: f64,
     typical_slope: f64,
     interpolation: LevelInterpolation,
+    shore: impl Fn(usize) -> bool,
 ) -> Vec<f64> {
     let floor = |i: usize| f64::from(levels[i].saturating_sub(1)) * interval;
     if interpolation == LevelInterpolation::Nearest {
-        return (0..levels.len()).map(floor).collect();
+        // Half an interval up, so that the lowest terrace is land.
+        return (0..levels.len()).map(|i| if levels[i] == 0 { 0.0 } else { floor(i) + 0.5 * interval }).collect();
     }
-    let below = Bands::distances(lattice, levels, |other, own| other < own);
-    let above = Bands::distances(lattice, levels, |other, own| other > own);
+    let below = Bands::distances(lattice, levels, |other, own| other < own, shore);
+    let above = Bands::distances(lattice, levels, |other, own| other > own, |_| false);
     let width = |i: usize| below.distance[i] + above.distance[i];
     let slope = |i: usize| if width(i).is_finite() { interval / width(i) } else { f64::NAN };
     let of = |i: usize| {
@@ -221,7 +239,12 @@ struct Bands {
 }
 
 impl Bands {
-    fn distances(lattice: &Lattice, levels: &[u32], is_border: impl Fn(u32, u32) -> bool) -> Self {
+    fn distances(
+        lattice: &Lattice,
+        levels: &[u32],
+        is_border: impl Fn(u32, u32) -> bool,
+        shore: impl Fn(usize) -> bool,
+    ) -> Self {
         let n = levels.len();
         let half = 0.5 * lattice.spacing[0].min(lattice.spacing[1]);
         let around = |i: usize| {
@@ -235,8 +258,9 @@ impl Bands {
             if levels[i] == 0 {
                 continue;
             }
-            if let Some(beyond) = around(i).find(|&j| is_border(levels[j], levels[i])) {
-                foot[i] = beyond as u32;
+            let beyond = around(i).find(|&j| is_border(levels[j], levels[i]));
+            if beyond.is_some() || shore(i) {
+                foot[i] = beyond.unwrap_or(i) as u32;
                 let band = levels[i] as usize;
                 bands.resize(bands.len().max(band + 1), Vec::new());
                 bands[band].push(i as u32);

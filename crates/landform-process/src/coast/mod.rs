@@ -9,7 +9,9 @@
 //! The coast is a group of agents; a round costs as much as the coast is long, and with a local perimeter its length times the radius.
 //!
 //! # Limits
-//! Rounds stand for no time. What is taken falls to one depth.
+//! Rounds stand for no time. What is taken falls to one depth. Land and sea are told apart at the start: what other processes on the same
+//! clock raise or drown is not looked at again; put the stages after one another. A coast without weakening is bitten by so many cells,
+//! not metres, as a model without a scale must be.
 //!
 //! # Sources
 //! Sapoval, Baldassarri & Gabrielli (2004); Pytel (2015), 2.3.3, 4.2, 4.3.4 and B.1, whose radii are read as metres on sites 15 m apart
@@ -37,6 +39,8 @@ use front::{Drive, Front, flood};
 pub use interior::{IslandInterior, LevelInterpolation};
 pub use params::{CoastErosion, Exposure, Perimeter, Search, Stable, Until, Weakening, Whole};
 pub use prune::PruneIslands;
+
+use crate::mechanism::within_map;
 
 /// Land, what is left of its resistance, and parameters on the nodes.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -72,6 +76,9 @@ impl Process<HeightField> for CoastErosion {
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
+        if let Some(w) = self.weakening {
+            within_map("weakening", w.radius, &terrain.grid)?;
+        }
         let z = terrain.elevation();
         let sea = flood(&terrain.grid, z, self.sea_level.si())?;
         let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();

@@ -8,7 +8,11 @@ use serde::{Deserialize, Serialize};
 
 /// Whose length damps the sea.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    deny_unknown_fields,
+    expecting = "expected \"global\", { local = \"1 km\", search = \"contiguous\" } (or \"all\"), or { sectors = 2 }"
+)]
 pub enum Perimeter {
     /// "global": all coasts together.
     Whole(Whole),
@@ -77,7 +81,7 @@ impl Default for Weakening {
 
 /// When the sea rests.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, deny_unknown_fields, expecting = "expected \"stable\" or { land = 0.6 }")]
 pub enum Until {
     /// "stable": when no place gives way any more.
     Stable(Stable),

@@ -84,15 +84,25 @@ impl Field {
         self.ground[i] + f64::from(self.sand.depth(i)) * self.unit
     }
 
-    /// Takes the ground as other processes have left it.
+    /// Takes ground and sand as other processes have left them: sand by its field, if they wrote it; else what was lowered was sand first,
+    /// and hard ground where none is left.
     pub(super) fn take_over(&mut self, terrain: &HeightField) {
         let z = terrain.elevation();
+        let written = terrain.fields().get(&names::SAND_DEPTH, "dunes").unwrap_or(&[]);
         for i in 0..z.len() {
-            let known = self.elevation(i);
-            if z[i] != known && !z[i].is_nan() {
-                self.ground[i] = z[i] - f64::from(self.sand.depth(i)) * self.unit;
-                self.sand.set_ground(i, (self.ground[i] / self.unit).round() as i32);
+            let (own, known) = (self.sand.depth(i), self.elevation(i));
+            let told = written.get(i).copied().unwrap_or(f64::from(own) * self.unit);
+            let is_told = told != f64::from(own) * self.unit;
+            if z[i].is_nan() || z[i] == known && !is_told {
+                continue;
             }
+            let depth = if is_told {
+                (told / self.unit).round() as i32
+            } else {
+                own - ((known - z[i]) / self.unit).round().clamp(0.0, f64::from(own)) as i32
+            };
+            self.ground[i] = z[i] - f64::from(depth) * self.unit;
+            self.sand.set_site(i, (self.ground[i] / self.unit).round() as i32, depth);
         }
     }
 

@@ -42,6 +42,8 @@ use field::Field;
 pub use params::{Borders, Dunes, Model};
 use protection::Protection;
 
+use crate::mechanism::within_map;
+
 /// Sand on its ground, and what shelters it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
@@ -72,6 +74,9 @@ impl Process<HeightField> for Dunes {
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
+        if self.model == Model::Protection {
+            within_map("reach", self.reach, &terrain.grid)?;
+        }
         let field = Field::lay(self, terrain, context)?;
         let protection = (self.model == Model::Protection).then(|| Protection::new(self, &terrain.grid, &field));
         field.write(terrain);
@@ -89,7 +94,9 @@ impl Process<HeightField> for Dunes {
         let rose = Rose::new("wind", &self.wind)?;
         let wind = rose.draw(seed.named("wind"), at.index / self.spell);
         let part = (at.dt / self.round(field.slab())).min(1.0);
-        field.sand.set_slab(self.slab_units(at.index));
+        // Finer slabs belong to the end of a run of so many rounds.
+        let is_own = at.of == Some(self.steps + self.fine_rounds());
+        field.sand.set_slab(self.slab_units(if is_own { at.index } else { 0 }));
         let swallowed = field.sand.swallowed() + field.left;
         match self.model {
             Model::Koh => koh::round(self, terrain, field, &mut scratch.air, &rose, wind, part, at.seed),

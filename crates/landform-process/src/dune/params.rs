@@ -3,7 +3,7 @@
 use landform_core::grid::Grid;
 use landform_core::units::{Angle, Diffusivity, Length, LengthDimension};
 use landform_core::verb::{Params, Rose, Source, Varying, Wind};
-use landform_core::{Error, Result, math};
+use landform_core::{Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -48,7 +48,7 @@ pub struct Dunes {
     /// Distance that sand is carried at once.
     #[schemars(extend("x-above" = 0.0))]
     pub hop: Length,
-    /// Rounds; in each every place is blown at once on average.
+    /// Rounds, if there is no clock; in each every place is blown at once on average.
     #[schemars(extend("x-max" = 1e7))]
     pub steps: u64,
     /// Thickness of a slab; half of the greatest step between neighbours if not given (a third of a cell), with `koh` a sixth of it.
@@ -58,10 +58,10 @@ pub struct Dunes {
     #[schemars(extend("x-max" = 6))]
     pub refinements: u32,
     /// Chance that sand which comes down stays, on sand.
-    #[schemars(extend("x-above" = 0.0, "x-max" = 1.0))]
+    #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
     pub stay_on_sand: f64,
     /// Chance that sand which comes down stays, on hard ground.
-    #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
+    #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
     pub stay_on_ground: f64,
     /// Angle of repose.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
@@ -145,11 +145,7 @@ impl Params for Dunes {
     ];
 
     fn check(&self) -> Result<()> {
-        Rose::new("wind", &self.wind)?;
-        if self.stay_on_ground == 0.0 && self.model != Model::Koh {
-            return Err(Error::parameter("stay_on_ground", 0, "above 0, or sand blows over bare ground for ever"));
-        }
-        Ok(())
+        Rose::new("wind", &self.wind).map(|_| ())
     }
 }
 
@@ -176,10 +172,7 @@ impl Dunes {
 
     /// Units of a slab in a round of a run of `steps` and finer rounds.
     pub(super) fn slab_units(&self, round: u64) -> i32 {
-        let mut later = round.saturating_sub(self.steps);
-        if round < self.steps {
-            return UNITS_A_SLAB;
-        }
+        let Some(mut later) = round.checked_sub(self.steps.max(1)) else { return UNITS_A_SLAB };
         for k in 1..=self.refinements {
             if later < 1 << k {
                 return UNITS_A_SLAB >> k;

@@ -338,3 +338,29 @@ fn hard_ground_stays_and_the_sea_swallows() {
     let left: f64 = d.iter().sum();
     assert!(left > 0.0 && left < 2.0 * 2760.0 * 0.8, "{left}");
 }
+
+#[test]
+fn others_take_sand_before_rock_and_two_winds_share_it() {
+    // What others lower is sand first.
+    let field = blown(flat(20, 20), &werner(2.0), 3, 1);
+    let context = landform_core::verb::Context { seed: Seed(1), maps: &landform_core::verb::NoMaps };
+    let mut lowered = field.clone();
+    let mut state = Dunes { sand: Length::of(0.0).into(), ..werner(0.0) }.start(&mut lowered, &context).unwrap();
+    lowered.elevation_mut().iter_mut().for_each(|z| *z -= 0.5);
+    state.field.take_over(&lowered);
+    state.field.write(&mut lowered);
+    let (d, z) = (sand(&lowered), lowered.elevation());
+    assert!((0..400).all(|i| (z[i] - d[i]).abs() < 0.02 || d[i] == 0.0), "rock stays while there is sand");
+    // Two dune processes on one clock keep the ground and the sand.
+    let other = Dunes { wind: vec![Wind::from(90.0, 1.0)], ..werner(0.0) };
+    let mut simulation = Simulation::new(flat(30, 30))
+        .process(werner(2.0))
+        .unwrap()
+        .process(other)
+        .unwrap()
+        .dt(1e12)
+        .until(Stop::steps(30));
+    assert!(simulation.run().unwrap().budget.imbalance() < 1e-9);
+    let (d, z) = (sand(simulation.terrain()), simulation.terrain().elevation());
+    assert!((0..900).all(|i| (z[i] - d[i]).abs() < 1e-9));
+}

@@ -12,7 +12,8 @@
 //! **Cost** O(n log n) a storm.
 //!
 //! # Limits
-//! Snow is one depth of one density; elevation and volumes count its surface. Rounds are storms and stand for no time.
+//! Snow is one depth of one density; elevation and volumes count its surface. Rounds are storms and stand for no time: with a clock, each
+//! step is a storm. The sea does not melt what falls on it.
 //!
 //! # Sources
 //! Bernhardt & Schulz (2010), SnowSlide, for holding depths that fall with slope; Winstral, Elder & Davis (2002) for shelter by upwind
@@ -44,6 +45,7 @@ use crate::mechanism::wind::Sweep;
 #[serde(default, deny_unknown_fields)]
 pub struct Snow {
     /// Depth of snow that falls in all, above the snow line.
+    #[schemars(extend("x-min" = 0.0))]
     pub snowfall: Varying<LengthDimension>,
     /// Storms that it falls in.
     #[schemars(extend("x-min" = 1, "x-max" = 10000))]
@@ -133,7 +135,9 @@ impl Process<HeightField> for Snow {
         let n = terrain.grid.len();
         let lying = terrain.fields().get(&names::SNOW_DEPTH, "snow").map(<[f64]>::to_vec);
         let snowfall = self.snowfall.resolve("snowfall", terrain, context)?;
-        Ok(State { depth: lying.unwrap_or_else(|_| vec![0.0; n]), snowfall, seed: context.seed })
+        let depth = lying.unwrap_or_else(|_| vec![0.0; n]);
+        terrain.fields_mut().insert(&names::SNOW_DEPTH, depth.clone());
+        Ok(State { depth, snowfall, seed: context.seed })
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
@@ -238,17 +242,17 @@ impl Snow {
         let (lines, length) = sweep.lines();
         let (mut load, mut next) = (vec![0.0; length], vec![0.0; length]);
         let mut left = 0.0;
-        // A wind that blows for ever over the same plain has its load already.
-        for at in 0..length {
-            let i = sweep.node(0, at);
-            load[at] = if ground[i].is_nan() { 0.0 } else { capacity(i) };
-        }
-        left -= load.iter().sum::<f64>();
+        // How much of what arrives at a node came from nodes of the map; the rest is wind from beyond, which has its load already.
+        let (mut known, mut next_known) = (vec![0.0; length], vec![0.0; length]);
         for line in 0..lines {
             next.fill(0.0);
+            next_known.fill(0.0);
             for at in 0..length {
                 let i = sweep.node(line, at);
                 if !ground[i].is_nan() {
+                    let brought = (1.0f64 - known[at]).max(0.0) * capacity(i);
+                    load[at] += brought;
+                    left -= brought;
                     let taken = (part * (capacity(i) - load[at])).clamp(-load[at], depth[i]);
                     depth[i] -= taken;
                     load[at] += taken;
@@ -260,12 +264,14 @@ impl Snow {
                     let amount = load[at] * share;
                     if line + 1 < lines && node >= 0.0 && node < length as f64 {
                         next[node as usize] += amount;
+                        next_known[node as usize] += share;
                     } else {
                         left += amount;
                     }
                 }
             }
             std::mem::swap(&mut load, &mut next);
+            std::mem::swap(&mut known, &mut next_known);
         }
         left
     }

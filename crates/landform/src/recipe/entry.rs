@@ -149,6 +149,7 @@ impl EntryReader<'_> {
             return Err(self.error(span, format!("process `{name}` has no `clock`"), hint));
         };
         let watch = watch.map(|entry| self.watch(&entry, &clock)).transpose()?;
+        self.may_refine(&clock, stage, &node.json(), span)?;
         Ok(Work::Evolve(Box::new(Evolve { clock, parts: vec![(stage, node.json())], watch })))
     }
 
@@ -193,9 +194,23 @@ impl EntryReader<'_> {
                 ));
             }
             self.check(stage, &item)?;
+            self.may_refine(&clock, stage, &item.json(), &name_span)?;
             parts.push((stage, item.json()));
         }
         Ok(Work::Evolve(Box::new(Evolve { clock, parts, watch })))
+    }
+
+    /// Refuses coarse levels for processes that count rounds: what they leave is no steady state.
+    fn may_refine(&self, clock: &Clock, stage: &Stage, json: &Json, span: &Range<usize>) -> Result<()> {
+        if clock.refine > 0 && stage.own_clock(json)?.is_some() {
+            let hint = Some("take `refine` out of the clock, or this process out of the stage".into());
+            return Err(self.error(
+                span,
+                format!("`{}` counts its own rounds and has no coarser levels", stage.name),
+                hint,
+            ));
+        }
+        Ok(())
     }
 
     /// The stage of a name that runs on a kind of terrain.
