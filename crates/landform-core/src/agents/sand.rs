@@ -211,7 +211,7 @@ impl Sand {
                 return None;
             }
         }
-        self.extreme(site, col, row, |other| z - other)
+        self.extreme(site, col, row, |n| Some(z - self.surface[n]))
     }
 
     /// The neighbour with sand that stands above the site by most over what is allowed, if one does.
@@ -231,23 +231,17 @@ impl Sand {
                 return None;
             }
         }
-        let mut best = (0, None);
-        for by in AROUND {
-            if let Some(n) = self.beside(site, col, row, by).filter(|&n| self.depth[n] > 0) {
-                let over = self.surface[n] - z - self.steps[by.2];
-                if over > best.0 {
-                    best = (over, Some(n));
-                }
-            }
-        }
-        best.1
+        self.extreme(site, col, row, |n| (self.depth[n] > 0).then(|| self.surface[n] - z))
     }
 
-    fn extreme(&self, site: usize, col: usize, row: usize, drop: impl Fn(i32) -> i32) -> Option<usize> {
+    /// The neighbour for which `drop` is most over what is allowed; none where it is not, or there is no drop.
+    fn extreme(&self, site: usize, col: usize, row: usize, drop: impl Fn(usize) -> Option<i32>) -> Option<usize> {
         let mut best = (0, None);
         for by in AROUND {
-            if let Some(n) = self.beside(site, col, row, by) {
-                let over = drop(self.surface[n]) - self.steps[by.2];
+            if let Some(n) = self.beside(site, col, row, by)
+                && let Some(drop) = drop(n)
+            {
+                let over = drop - self.steps[by.2];
                 if over > best.0 {
                     best = (over, Some(n));
                 }

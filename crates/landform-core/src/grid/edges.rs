@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::{Cell, Shape};
+
 /// A side of a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -57,6 +59,14 @@ impl Edges {
             Side::South => self.south,
             Side::West => self.west,
         }
+    }
+
+    /// Number of open sides of the raster that a cell lies at.
+    pub fn open_sides_at(self, shape: Shape, index: usize) -> usize {
+        let Cell { row, col } = shape.cell(index);
+        let at = [row == 0, col + 1 == shape.cols, row + 1 == shape.rows, col == 0];
+        let edges = [self.north, self.east, self.south, self.west];
+        at.iter().zip(edges).filter(|(at, edge)| **at && *edge == Edge::Open).count()
     }
 
     /// Whether columns wrap around (west meets east).

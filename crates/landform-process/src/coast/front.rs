@@ -1,7 +1,7 @@
 //! The front between land and sea, whatever drives it.
 
 use landform_core::agents::{Connectivity, Falloff, Group, RasterSites, Sites, Stencil};
-use landform_core::grid::{Edge, Grid, Shape, Side};
+use landform_core::grid::{Edge, Edges, Grid, Shape};
 use landform_core::{Result, parallel};
 
 use super::params::{Exposure, Perimeter};
@@ -34,8 +34,8 @@ pub(super) struct Drive<'a> {
 pub(super) struct Front {
     sites: RasterSites,
     shape: Shape,
-    /// Whether the sea lies beyond the north, east, south and west side.
-    open: [bool; 4],
+    /// The sea lies beyond open sides.
+    edges: Edges,
     pub(super) land: Vec<bool>,
     /// What is left of each site's resistance.
     pub(super) material: Vec<f64>,
@@ -60,11 +60,10 @@ impl Front {
         weakening_radius: Option<f64>,
         start_length: Option<f64>,
     ) -> Result<Self> {
-        let open = [Side::North, Side::East, Side::South, Side::West].map(|s| grid.edges.get(s) == Edge::Open);
         let mut front = Self {
             sites: RasterSites::new(grid, Connectivity::Four)?,
             shape: grid.shape,
-            open,
+            edges: grid.edges,
             coast: Group::new(land.len()),
             land,
             material,
@@ -84,9 +83,7 @@ impl Front {
     /// Sides of a site that the sea reaches.
     fn sides(&self, site: usize) -> u8 {
         let near = self.sites.neighbours(site).filter(|n| !self.land[n.site]).count() as u8;
-        let cell = self.shape.cell(site);
-        let beyond = [cell.row == 0, cell.col + 1 == self.shape.cols, cell.row + 1 == self.shape.rows, cell.col == 0];
-        near + beyond.iter().zip(self.open).filter(|(at, open)| **at && *open).count() as u8
+        near + self.edges.open_sides_at(self.shape, site) as u8
     }
 
     /// Makes a land site part of the coast if the sea reaches it.
@@ -192,26 +189,13 @@ impl Front {
 /// The sea: sites at or under a level that connect to the open border, or to sites that were sea before.
 pub(super) fn flood(grid: &Grid, z: &[f64], level: f64) -> Result<Vec<bool>> {
     let sites = RasterSites::new(grid, Connectivity::Four)?;
-    let shape = grid.shape;
     let mut sea = vec![false; z.len()];
     let low = |i: usize| !(z[i] > level);
-    let mut pending: Vec<usize> = (0..z.len())
-        .filter(|&i| {
-            let cell = shape.cell(i);
-            let open = |at: bool, side: Side| at && grid.edges.get(side) == Edge::Open;
-            low(i)
-                && (open(cell.row == 0, Side::North)
-                    || open(cell.row + 1 == shape.rows, Side::South)
-                    || open(cell.col == 0, Side::West)
-                    || open(cell.col + 1 == shape.cols, Side::East))
-        })
-        .collect();
-    if pending.is_empty()
-        && !(0..4).any(|k| grid.edges.get([Side::North, Side::East, Side::South, Side::West][k]) == Edge::Open)
-    {
-        // Nothing lies beyond: what is low is sea.
-        pending = (0..z.len()).filter(|&i| low(i)).collect();
-    }
+    let Edges { north, east, south, west } = grid.edges;
+    // Where nothing lies beyond the map, what is low is sea.
+    let is_closed = ![north, east, south, west].contains(&Edge::Open);
+    let borders_sea = |i: usize| grid.edges.open_sides_at(grid.shape, i) > 0;
+    let mut pending: Vec<usize> = (0..z.len()).filter(|&i| low(i) && (is_closed || borders_sea(i))).collect();
     pending.iter().for_each(|&i| sea[i] = true);
     while let Some(site) = pending.pop() {
         for near in sites.neighbours(site) {

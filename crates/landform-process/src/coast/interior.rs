@@ -14,9 +14,10 @@
 //! # Sources
 //! Pytel (2015), listing 4.1; Hormann, Spinello & Schroeder (2003) for slopes across level sets; Fritsch & Carlson (1980) for their limit.
 
+use landform_core::agents::{Connectivity, RasterSites, Sites};
 use landform_core::algo::fast_marching::{Order, march};
 use landform_core::field::names;
-use landform_core::grid::{Edge, Lattice, Side};
+use landform_core::grid::Lattice;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Length, Ratio};
 use landform_core::verb::{Context, Edit, Params, Source};
@@ -104,14 +105,9 @@ impl Edit<HeightField> for IslandInterior {
         let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();
         let levels = self.levels(terrain, &land, context)?;
         let slope = self.interval.si() / self.spacing.si();
-        let (shape, edges) = (terrain.grid.shape, terrain.grid.edges);
         // The sea beyond the map's open sides.
-        let shore = |i: usize| {
-            let cell = shape.cell(i);
-            let at = [cell.row == 0, cell.col + 1 == shape.cols, cell.row + 1 == shape.rows, cell.col == 0];
-            let sides = [Side::North, Side::East, Side::South, Side::West];
-            levels[i] == 1 && at.iter().zip(sides).any(|(at, side)| *at && edges.get(side) == Edge::Open)
-        };
+        let (shape, edges) = (terrain.grid.shape, terrain.grid.edges);
+        let shore = |i: usize| levels[i] == 1 && edges.open_sides_at(shape, i) > 0;
         let lattice = Lattice::of(&terrain.grid);
         let heights = heights(&lattice, &levels, self.interval.si(), slope, self.interpolation, shore);
         for i in 0..land.len() {
@@ -132,7 +128,7 @@ impl IslandInterior {
         let mut front =
             Front::new(&terrain.grid, land.to_vec(), material, (self.exposure, self.perimeter), radius, None)?;
         let grid = &terrain.grid;
-        let sites = landform_core::agents::RasterSites::new(grid, landform_core::agents::Connectivity::Four)?;
+        let sites = RasterSites::new(grid, Connectivity::Four)?;
         let amount = self.weakening.map_or(0.0, |w| w.amount);
         // Steps from the last level set, in cells, of what fell since then.
         let most = (self.spacing.si() / grid.spacing[0].min(grid.spacing[1])).max(1.0);
@@ -151,7 +147,6 @@ impl IslandInterior {
                 continue;
             }
             let mark = |fallen: &[usize], levels: &mut [u32], steps: &mut [f64]| {
-                use landform_core::agents::Sites;
                 for &site in fallen {
                     levels[site] = level;
                     let behind = sites
@@ -164,12 +159,11 @@ impl IslandInterior {
             };
             mark(&round.fallen, &mut levels, &mut steps);
             if round.fallen.iter().any(|&s| steps[s] > most) {
-                use landform_core::agents::Sites;
                 // Sites whose neighbours at sea were all there before this level: they have not moved since.
                 let stuck: Vec<usize> = front
                     .coast_sites()
                     .into_iter()
-                    .filter(|&s| sites.neighbours(s).all(|n| land_or_before(levels[n.site], level, front.land[n.site])))
+                    .filter(|&s| sites.neighbours(s).all(|n| front.land[n.site] || levels[n.site] < level))
                     .collect();
                 front.fall(&stuck, &drive);
                 mark(&stuck, &mut levels, &mut steps);
@@ -179,10 +173,6 @@ impl IslandInterior {
         }
         Ok(levels)
     }
-}
-
-fn land_or_before(level_of: u32, level: u32, is_land: bool) -> bool {
-    is_land || level_of < level
 }
 
 /// Heights above the sea of land in numbered bands, m; 0 at sea. `typical_slope` is that of islets within which no level set lies.
