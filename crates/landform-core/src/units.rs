@@ -79,6 +79,8 @@ dimension!(
     ErodibilityDimension, Erodibility, "erodibility", 0, -1, "1/yr", 1.0 / YEAR, true, "5.6e-7 1/yr");
 dimension!(/// Angle, in radians; written in degrees.
     AngleDimension, Angle, "angle", 0, 0, "deg", std::f64::consts::PI / 180.0, false, "35 deg");
+dimension!(/// Discharge of a spring or a river, in m³/s.
+    DischargeDimension, Discharge, "discharge", 3, -1, "m3/s", 1.0, true, "2 m3/s");
 dimension!(/// A plain number.
     RatioDimension, Ratio, "number", 0, 0, "1", 1.0, true, "0.5");
 

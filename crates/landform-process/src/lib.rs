@@ -2,6 +2,7 @@
 //!
 //! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are coupled by a recipe.
 
+pub mod channel;
 pub mod coast;
 pub mod dune;
 pub mod edit;
@@ -11,3 +12,4 @@ pub mod mechanism;
 pub mod snow;
 pub mod stream_power;
 pub mod uplift;
+pub mod water;

@@ -12,3 +12,4 @@ pub mod noise;
 pub mod outlets;
 pub mod outline;
 pub mod sampling;
+pub mod thin_plate;

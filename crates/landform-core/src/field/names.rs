@@ -77,6 +77,11 @@ pub const SHORE_AGE: Key<u32> =
 /// Level set of a coast.
 pub const LEVEL_SET: Key<u32> =
     Key::new("level_set", "1", "number of the historic coast that the place lies within; 0 at sea");
+/// Depth of water.
+pub const WATER_DEPTH: Key<f64> =
+    Key::new("water_depth", "m", "depth of water over the ground, standing and running");
+/// Discharge.
+pub const DISCHARGE: Key<f64> = Key::new("discharge", "m3/s", "water that runs through a place");
 /// Name, unit and meaning of every standard field.
 pub const ALL: &[(&str, &str, &str)] = &[
     (ELEVATION.name, ELEVATION.unit, ELEVATION.meaning),
@@ -103,6 +108,8 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (SHELTER.name, SHELTER.unit, SHELTER.meaning),
     (SHORE_AGE.name, SHORE_AGE.unit, SHORE_AGE.meaning),
     (LEVEL_SET.name, LEVEL_SET.unit, LEVEL_SET.meaning),
+    (WATER_DEPTH.name, WATER_DEPTH.unit, WATER_DEPTH.meaning),
+    (DISCHARGE.name, DISCHARGE.unit, DISCHARGE.meaning),
 ];
 
 /// Unit of a standard field.

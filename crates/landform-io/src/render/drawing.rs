@@ -10,7 +10,7 @@ use super::cover::Cover;
 /// Standing and running water on a raster.
 #[derive(Clone, Debug)]
 pub struct Waters {
-    /// Depth of lakes, m; 0 on land.
+    /// Depth of lakes, and of rivers where it is known, m; 0 on land.
     pub lake: Vec<f64>,
     /// Strength of rivers, 0 (none) to 1 (the greatest).
     pub river: Vec<f64>,
@@ -18,12 +18,19 @@ pub struct Waters {
 
 /// The shallowest water that counts as a lake, m, before relief is considered.
 const SHALLOWEST: f64 = 0.5;
+/// The shallowest water that is drawn where its depth is known, m.
+const SHALLOWEST_KNOWN: f64 = 0.1;
 
-/// Lakes and rivers of a raster: from its fields if it has them, else by routing over it; none where there is loose sand to sink into.
+/// Lakes and rivers of a raster: from its fields if it has them (depth of water before drainage), else by routing over it; none where there is
+/// loose sand to sink into.
 pub fn waters(field: &HeightField) -> Waters {
     let n = field.grid.len();
     if Cover::of(field).is_desert() {
         return Waters { lake: vec![0.0; n], river: vec![0.0; n] };
+    }
+    if let Ok(depth) = field.fields.get(&names::WATER_DEPTH, "") {
+        let lake = depth.iter().map(|&d| if d >= SHALLOWEST_KNOWN { d } else { 0.0 }).collect();
+        return Waters { lake, river: vec![0.0; n] };
     }
     let known = field.fields.get(&names::DRAINAGE_AREA, "").ok().zip(field.fields.get(&names::LAKE_DEPTH, "").ok());
     let (area, depth) = match known {

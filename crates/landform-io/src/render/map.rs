@@ -1,6 +1,7 @@
 //! The map: shaded relief in a colour ramp, with rivers and lakes; and maps of any field.
 
 use landform_core::algo::derivative::hillshade;
+use landform_core::field::names;
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{Result, math, parallel};
@@ -31,6 +32,7 @@ impl Default for MapStyle {
 
 const RIVER: u32 = 0x3f74a8;
 const LAKE: u32 = 0x5b93bd;
+const DEEP: u32 = 0x2f6494;
 const NOTHING: u32 = 0xe9e7e2;
 const UNCHANGED: u32 = 0xe2dfd9;
 const LOST: u32 = 0x2b5d9e;
@@ -48,11 +50,12 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     let water = style.water.then(|| waters(field));
     let land_low = if has_sea { 0.0 } else { lo };
     let cover = Cover::of(field);
+    let has_depth = field.fields().get(&names::WATER_DEPTH, "").is_ok();
     let colours = parallel::map(z.len(), |i| {
         if z[i].is_nan() {
             return hex(NOTHING);
         }
-        let under_sea = has_sea && z[i] < 0.0;
+        let under_sea = has_sea && z[i] < 0.0 && !(has_depth && water.as_ref().is_some_and(|w| w.lake[i] > 0.0));
         let mut colour = if under_sea {
             sea((z[i] / lo).sqrt())
         } else {
@@ -66,7 +69,9 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
             && !under_sea
         {
             if water.lake[i] > 0.0 {
-                colour = hex(LAKE);
+                // Deeper is darker, up to some metres.
+                let deep = math::smoothstep(0.0, 12.0, water.lake[i]);
+                colour = mix(hex(LAKE), hex(DEEP), if has_depth { deep } else { 0.0 });
             } else if water.river[i] > 0.0 {
                 colour = mix(colour, hex(RIVER), water.river[i]);
             }

@@ -3,8 +3,8 @@
 //! # Method
 //! Rays march through a pyramid of greatest elevations and are refined on the bilinear patch that they hit. Sun and sky
 //! visibility are computed once per node ([`light`](super::light)) and interpolated, as are normals and ground colours:
-//! grass on gentle low ground, bare soil and rock with slope and height, snow on gentle high ground. Water is flat, tinted
-//! by depth, and mirrors the sky by Schlick's law. Several rays a pixel, jittered by key.
+//! grass on gentle low ground, bare soil and rock with slope and height, snow on gentle high ground. Water is a surface above the ground
+//! (flat on lakes, along the bed in rivers), tinted by its depth, and mirrors the sky by Schlick's law. Several rays a pixel, jittered by key.
 
 use landform_core::algo::derivative::gradient;
 use landform_core::grid::Grid;
@@ -192,7 +192,7 @@ impl Scene {
         let paint = Paint::new(field, (lo, hi), view.exaggeration);
         let skin = parallel::map(ground.len(), |i| {
             let g = gradient(grid, &ground, i);
-            let normal = if depth[i] > 0.0 { [0.0, 0.0, 1.0] } else { normalize([-g.x, -g.y, 1.0]) };
+            let normal = if depth[i] > 0.0 { water_normal(grid, &surface, i) } else { normalize([-g.x, -g.y, 1.0]) };
             Skin { normal, colour: paint.ground(grid, &ground, i), sky: sky[i], sun: sun[i], water: depth[i] }
         });
         let ca = math::cos(view.sun_altitude);
@@ -384,6 +384,15 @@ impl Scene {
         let light = 0.25 + 0.75 * dot(normal, self.sun).max(0.0);
         [0, 1, 2].map(|k| colour[k] * (0.6 * SUN_LIGHT[k] * light + 0.6 * SKY_LIGHT[k]))
     }
+}
+
+/// Upright on lakes; rivers lie along their beds.
+fn water_normal(grid: &Grid, surface: &[f64], i: usize) -> Vector {
+    let g = gradient(grid, surface, i);
+    // At a shore the slope is the land's, not the water's.
+    let slope = g.slope();
+    let most = if slope > 0.3 { 0.3 / slope } else { 1.0 };
+    normalize([-g.x * most, -g.y * most, 1.0])
 }
 
 /// Depth of lakes and of the sea over each node, m. Sea is what lies below 0 in a land that also rises above it.

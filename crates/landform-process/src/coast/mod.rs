@@ -21,7 +21,10 @@
 //! `tests`: fractal dimension, width and final force of percolation fronts, global as the limit of local, rest, sea, weakening.
 
 mod front;
+mod front_terrain;
+mod heights;
 mod interior;
+mod levels;
 mod params;
 mod perimeter;
 mod prune;
@@ -36,7 +39,9 @@ use landform_core::{Error, Result};
 use serde::{Deserialize, Serialize};
 
 use front::{Drive, Front, flood};
-pub use interior::{IslandInterior, LevelInterpolation};
+pub use front_terrain::FrontTerrain;
+pub use heights::LevelInterpolation;
+pub use interior::IslandInterior;
 pub use params::{CoastErosion, Exposure, Perimeter, Search, Stable, Until, Weakening, Whole};
 pub use prune::PruneIslands;
 

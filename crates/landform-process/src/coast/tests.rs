@@ -268,12 +268,12 @@ fn the_inside_of_a_cone_is_a_cone() {
     let levels: Vec<u32> =
         (0..n * n).map(|i| if radius(i) >= 55.0 { 0 } else { 1 + ((55.0 - radius(i)) / 11.0) as u32 }).collect();
     for (kind, most) in [(LevelInterpolation::Linear, 1.2), (LevelInterpolation::Hermite, 1.2)] {
-        let z = interior::heights(&lattice, &levels, 11.0, 1.0, kind, |_| false);
+        let z = heights::heights(&lattice, &levels, 11.0, 1.0, kind, |_| false);
         let worst =
             (0..n * n).filter(|&i| levels[i] > 0).map(|i| (z[i] - (55.0 - radius(i))).abs()).fold(0.0, f64::max);
         assert!(worst < most, "{kind:?} {worst}");
     }
-    let terraces = interior::heights(&lattice, &levels, 11.0, 1.0, LevelInterpolation::Nearest, |_| false);
+    let terraces = heights::heights(&lattice, &levels, 11.0, 1.0, LevelInterpolation::Nearest, |_| false);
     assert!(terraces.iter().all(|z| z % 5.5 == 0.0));
 }
 

@@ -9,7 +9,8 @@ use landform_io::measure::{
     MeasureCoast, MeasureDrainage, MeasureDunes, MeasureHypsometry, MeasureLandscape, MeasureSpectrum, MeasureSummary,
     MeasureSurface,
 };
-use landform_process::coast::{CoastErosion, IslandInterior, PruneIslands};
+use landform_process::channel::ChannelErosion;
+use landform_process::coast::{CoastErosion, FrontTerrain, IslandInterior, PruneIslands};
 use landform_process::dune::Dunes;
 use landform_process::edit::{Add, Derive, Drainage, FillDepressions, Mask, Resample, ToHeightField, Warp};
 use landform_process::generate::{
@@ -28,6 +29,7 @@ pub static STAGES: &[Stage] = &[
     Stage::generator::<ElevationFile, HeightField>(),
     Stage::generator::<Faulting, HeightField>(),
     Stage::generator::<Flat, HeightField>(),
+    Stage::generator::<FrontTerrain, HeightField>(),
     Stage::generator::<MidpointDisplacement, HeightField>(),
     Stage::generator::<Noise, HeightField>(),
     Stage::generator::<Shape, HeightField>(),
@@ -53,6 +55,7 @@ pub static STAGES: &[Stage] = &[
     Stage::process::<StreamPower, Mesh>(),
     Stage::process::<LinearDiffusion, HeightField>(),
     Stage::process::<LinearDiffusion, Mesh>(),
+    Stage::process::<ChannelErosion, HeightField>(),
     Stage::process::<CoastErosion, HeightField>(),
     Stage::process::<Dunes, HeightField>(),
     Stage::process::<Snow, HeightField>(),

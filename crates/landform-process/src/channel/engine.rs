@@ -1,0 +1,133 @@
+//! The water of a round, by any of the transports.
+
+use std::sync::Arc;
+
+use landform_core::algo::flow::{Flow, node_areas};
+use landform_core::grid::{Domain, RasterDomain};
+use landform_core::parallel;
+use serde::{Deserialize, Serialize};
+
+use super::params::{ChannelErosion, Transport};
+use crate::water::{Ledger, Pipes, Rule, Supply, Sweep};
+
+/// Water on the ground, between rounds.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Water {
+    /// Depth of standing water (of all water, in pipes), m.
+    pub(super) depth: Vec<f64>,
+    /// Flow through each node as a part of the map's, over the last rounds.
+    pub(super) flow: Vec<f64>,
+    pipes: Option<Pipes>,
+    rounds: u64,
+    #[serde(skip)]
+    scratch: Scratch,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    sweep: Option<Sweep>,
+    routed: Flow,
+}
+
+/// How much of the flow is that of the round; the rest is that of rounds before.
+const FRESH: f64 = 0.5;
+
+impl Water {
+    /// Water of so much depth, at rest.
+    pub(super) fn new(params: &ChannelErosion, depth: Vec<f64>, spacing: [f64; 2]) -> Self {
+        let pipes = Pipes::new(depth.len(), spacing, params.roughness.si());
+        Self {
+            flow: vec![0.0; depth.len()],
+            pipes: (params.transport == Transport::Pipes).then_some(pipes),
+            depth,
+            rounds: 0,
+            scratch: Scratch::default(),
+        }
+    }
+
+    /// A round. `rate` is what comes to each node, m/s; `dt` the round's length, s.
+    pub(super) fn round(
+        &mut self,
+        params: &ChannelErosion,
+        domain: &Arc<RasterDomain>,
+        ground: &[f64],
+        (rate, sinks, dt): (&[f64], &[bool], f64),
+    ) -> Ledger {
+        let (ledger, now) = match params.transport {
+            Transport::Columns => self.sweep(Rule::Columns { depth: params.river_depth.si() }, params, domain, ground, (rate, sinks, dt)),
+            Transport::Average => self.sweep(Rule::Average, params, domain, ground, (rate, sinks, dt)),
+            Transport::WeightedAverage => self.sweep(Rule::Weighted, params, domain, ground, (rate, sinks, dt)),
+            Transport::Pipes => self.flood(params, domain, ground, (rate, sinks)),
+            Transport::AreaMap => self.route(domain, ground, rate),
+        };
+        let fresh = if self.rounds == 0 { 1.0 } else { FRESH };
+        parallel::update(&mut self.flow, |i, f| *f += fresh * (now[i] - *f));
+        self.rounds += 1;
+        ledger
+    }
+
+    fn sweep(
+        &mut self,
+        rule: Rule,
+        params: &ChannelErosion,
+        domain: &RasterDomain,
+        ground: &[f64],
+        (rate, sinks, dt): (&[f64], &[bool], f64),
+    ) -> (Ledger, Vec<f64>) {
+        let depth = parallel::map(rate.len(), |i| rate[i] * dt);
+        let total = parallel::sum(depth.len(), |i| depth[i]);
+        let supply = Supply { depth: &depth, total, evaporation: params.evaporation.si() * dt, sinks };
+        let sweep = self.scratch.sweep.get_or_insert_with(|| Sweep::new(rule));
+        let ledger = sweep.round(domain, ground, &supply, &mut self.depth);
+        let passed = sweep.passed();
+        (ledger, parallel::map(passed.len(), |i| (passed[i] / total).min(1.0)))
+    }
+
+    fn flood(
+        &mut self,
+        params: &ChannelErosion,
+        domain: &RasterDomain,
+        ground: &[f64],
+        (rate, sinks): (&[f64], &[bool]),
+    ) -> (Ledger, Vec<f64>) {
+        let Some(pipes) = &mut self.pipes else { return (Ledger::default(), vec![0.0; ground.len()]) };
+        let sum = parallel::sum(rate.len(), |i| rate[i]);
+        let wet = parallel::sum(rate.len(), |i| f64::from(u8::from(!ground[i].is_nan())));
+        // The storm brings as much in all as if it fell everywhere, wherever the rain falls.
+        let faster = params.storm.si() * wet / sum;
+        let mut ledger = Ledger { before: parallel::sum(ground.len(), |i| self.depth[i]), ..Ledger::default() };
+        let mut mean = vec![0.0; ground.len()];
+        let mut depth = vec![0.0; ground.len()];
+        for _ in 0..params.pipe_steps {
+            let dt = pipes.max_step(&self.depth).min(60.0);
+            parallel::fill(&mut depth, |i| rate[i] * faster * dt);
+            let supply = Supply {
+                depth: &depth,
+                total: sum * faster * dt,
+                evaporation: params.evaporation.si() * dt,
+                sinks,
+            };
+            let part = pipes.step(domain, ground, &supply, dt, &mut self.depth);
+            ledger.entered += part.entered;
+            ledger.left += part.left;
+            ledger.evaporated += part.evaporated;
+            ledger.stored = part.stored;
+            let through = pipes.discharge();
+            parallel::update(&mut mean, |i, m| *m += through[i]);
+        }
+        let area = domain.area(0);
+        let whole = sum * faster * area * f64::from(params.pipe_steps);
+        (ledger, parallel::map(mean.len(), |i| (mean[i] / whole).min(1.0)))
+    }
+
+    fn route(&mut self, domain: &RasterDomain, ground: &[f64], rate: &[f64]) -> (Ledger, Vec<f64>) {
+        let mut amount = node_areas(domain);
+        parallel::update(&mut amount, |i, a| *a *= rate[i]);
+        let total = parallel::sum(amount.len(), |i| amount[i]);
+        let flow = &mut self.scratch.routed;
+        flow.route(domain, ground, &mut amount);
+        let level = flow.water_level(ground);
+        parallel::fill(&mut self.depth, |i| (level[i] - ground[i]).max(0.0));
+        (Ledger::default(), parallel::map(amount.len(), |i| amount[i] / total))
+    }
+}

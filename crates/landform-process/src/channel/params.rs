@@ -1,0 +1,220 @@
+//! The words of channel erosion.
+
+use landform_core::grid::Side;
+use landform_core::units::{
+    Discharge, Length, Rate, RateDimension, RatioDimension, Ratio,
+};
+use landform_core::verb::{Outlets, Params, Source, Varying};
+use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How water finds its way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Transport {
+    /// To the lowest neighbour first, until it is level with the next: gathers water into channels.
+    #[default]
+    Columns,
+    /// To all lower neighbours alike: spreads.
+    Average,
+    /// To all lower neighbours, by how much lower they are.
+    WeightedAverage,
+    /// Second by second, pushed by differences of level: a flood with momentum.
+    Pipes,
+    /// No water: drainage area to the steepest neighbour, every hollow full.
+    AreaMap,
+}
+
+/// What smooths the ground.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Smoothing {
+    /// In channels only, with the flow: what lies beside them is held by plants.
+    #[default]
+    Channels,
+    /// Everywhere alike.
+    Everywhere,
+}
+
+/// Water that rises at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    /// Position east and north, in the landscape's coordinates.
+    pub at: [Length; 2],
+    /// Its discharge.
+    pub discharge: Discharge,
+}
+
+/// Water that comes in over a side.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Inflow {
+    /// The side; it must be closed, or the water leaves again where it entered: it enters one node inside.
+    pub side: Side,
+    /// Discharge, spread evenly along the side.
+    pub discharge: Discharge,
+}
+
+/// Rivers that lay down again what they carry.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Sediment {
+    /// What a river carries on a slope of 1, as part of its water.
+    pub capacity: f64,
+    /// Distance over which what is too much for a river settles.
+    pub settling: Length,
+}
+
+impl Default for Sediment {
+    fn default() -> Self {
+        Self { capacity: 0.1, settling: Length::of(50.0) }
+    }
+}
+
+/// Water runs down, gathers in channels and cuts them, the wider the more it is; lakes fill, spill and are drained as their outlets are cut.
+/// Leaves the water on the ground. Runs without a clock, one round a year of rain.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ChannelErosion {
+    /// How water finds its way: "columns", "average", "weighted_average", "pipes", or "area_map" (no water, hollows full).
+    pub transport: Transport,
+    /// Rain that runs off; may vary in space.
+    #[schemars(extend("x-min" = 0.0))]
+    pub rainfall: Varying<RateDimension>,
+    /// Springs, each { at = ["1 km", "2 km"], discharge = "2 m3/s" }.
+    pub springs: Vec<Spring>,
+    /// Rivers that come in over sides, each { side = "north", discharge = "5 m3/s" }.
+    pub inflow: Vec<Inflow>,
+    /// What evaporates from standing water.
+    #[schemars(extend("x-min" = 0.0))]
+    pub evaporation: Rate,
+    /// Places that swallow all water, where a map is at least one half.
+    pub swallow: Option<Varying<RatioDimension>>,
+    /// Where water leaves, as in `stream_power`; as the landscape has it, if not given.
+    pub outlets: Option<Outlets>,
+    /// Rounds of water and erosion.
+    #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
+    pub iterations: u64,
+    /// Weight w_a of the flow nearby in what cuts: rivers gnaw their banks and get wide.
+    #[schemars(extend("x-min" = 0.0))]
+    pub avalanche_weight: f64,
+    /// Weight w_c of the flow at a place in what cuts.
+    #[schemars(extend("x-min" = 0.0))]
+    pub flow_weight: f64,
+    /// Exponent m of the flow: below 1 small channels cut more.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 3.0))]
+    pub flow_exponent: f64,
+    /// Weight of smoothing.
+    #[schemars(extend("x-min" = 0.0))]
+    pub diffusion_weight: f64,
+    /// Weight w_d of cutting in proportion to slope.
+    #[schemars(extend("x-min" = 0.0))]
+    pub advection_weight: f64,
+    /// Weight w_0 of cutting whatever the slope.
+    #[schemars(extend("x-min" = 0.0))]
+    pub base_weight: f64,
+    /// Weight of a uniform uplift.
+    #[schemars(extend("x-min" = 0.0))]
+    pub uplift_weight: f64,
+    /// What smooths: "channels" (with the flow, Eq. 4.4), or "everywhere" (Eq. 4.6).
+    pub smoothing: Smoothing,
+    /// How easily the ground gives way, a factor; may vary in space.
+    #[schemars(extend("x-min" = 0.0))]
+    pub softness: Varying<RatioDimension>,
+    /// Half the width of a river with all the water of the map; a 40th of the longer side if not given.
+    #[schemars(extend("x-min" = 0.0))]
+    pub channel_radius: Option<Length>,
+    /// Power of the flow with which width grows; the seed has 1, rivers 0.4 to 0.5.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 2.0))]
+    pub width_exponent: f64,
+    /// Depth of a river with all the water of the map; with the root of the flow. The deeper, the more a river of columns spreads over its
+    /// bed.
+    #[schemars(extend("x-above" = 0.0))]
+    pub river_depth: Length,
+    /// Rivers lay down what they cannot carry; all leaves the map if not given.
+    pub sediment: Option<Sediment>,
+    /// Pipes only: rain of the flood that cuts, relative to which `rainfall` only says where it falls.
+    #[schemars(extend("x-above" = 0.0))]
+    pub storm: Rate,
+    /// Pipes only: steps of water between rounds of erosion.
+    #[schemars(extend("x-min" = 1, "x-max" = 100_000))]
+    pub pipe_steps: u32,
+    /// Pipes only: Manning's roughness.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
+    pub roughness: Ratio,
+}
+
+impl Default for ChannelErosion {
+    fn default() -> Self {
+        Self {
+            transport: Transport::Columns,
+            rainfall: Rate::of(1000.0).into(),
+            springs: Vec::new(),
+            inflow: Vec::new(),
+            evaporation: Rate::of(0.0),
+            swallow: None,
+            outlets: None,
+            iterations: 150,
+            avalanche_weight: 2.0,
+            flow_weight: 1.0,
+            flow_exponent: 0.5,
+            diffusion_weight: 5.0,
+            advection_weight: 3.0,
+            base_weight: 0.5,
+            uplift_weight: 0.0,
+            smoothing: Smoothing::Channels,
+            softness: Ratio::of(1.0).into(),
+            channel_radius: None,
+            width_exponent: 0.5,
+            river_depth: Length::of(2.0),
+            sediment: None,
+            storm: Rate::from_si(0.03 / 3600.0),
+            pipe_steps: 20,
+            roughness: Ratio::of(0.04),
+        }
+    }
+}
+
+impl Params for ChannelErosion {
+    const NAME: &'static str = "channel_erosion";
+    const SOURCES: &'static [Source] = &[
+        Source {
+            authors: "Pytel & Mann (2013)",
+            title: "Self-organized approach to modeling hydraulic erosion features, Computers & Graphics 37(4)",
+            doi: "10.1016/j.cag.2013.01.003",
+        },
+        Source {
+            authors: "Mei, Decaudin & Hu (2007)",
+            title: "Fast hydraulic erosion simulation and visualization on GPU, Pacific Graphics",
+            doi: "10.1109/PG.2007.15",
+        },
+        Source {
+            authors: "Barnes, Callaghan & Wickert (2021)",
+            title: "Computing water flow through complex landscapes - Part 3: Fill-Spill-Merge, Earth Surface Dynamics 9",
+            doi: "10.5194/esurf-9-105-2021",
+        },
+    ];
+
+    fn check(&self) -> Result<()> {
+        if let Some(s) = self.sediment {
+            if !(s.capacity >= 0.0 && s.capacity.is_finite()) {
+                return Err(Error::parameter("sediment", s.capacity, "a capacity of at least 0"));
+            }
+            if !(s.settling.si() > 0.0) {
+                return Err(Error::parameter("sediment", s.settling, "settling over > 0 m"));
+            }
+            if matches!(self.transport, Transport::AreaMap | Transport::Average | Transport::WeightedAverage) {
+                return Err(Error::parameter("sediment", "with this transport", "transport \"columns\" or \"pipes\""));
+            }
+        }
+        if self.springs.iter().any(|s| !(s.discharge.si() > 0.0)) {
+            return Err(Error::parameter("springs", "without water", "a discharge > 0 m3/s"));
+        }
+        if self.inflow.iter().any(|s| !(s.discharge.si() > 0.0)) {
+            return Err(Error::parameter("inflow", "without water", "a discharge > 0 m3/s"));
+        }
+        self.outlets.as_ref().map_or(Ok(()), Outlets::check)
+    }
+}

@@ -1,0 +1,120 @@
+use landform_core::grid::{Edge, Edges, Grid, Shape};
+use landform_core::math;
+use landform_core::parallel::with_threads;
+use landform_core::random::Seed;
+use landform_core::sim::{Simulation, Stop};
+use landform_core::terrain::HeightField;
+use landform_core::units::{Length, YEAR};
+
+use super::*;
+
+fn field(rows: usize, cols: usize, cell: f64, edges: Edges, f: impl Fn(f64, f64) -> f64) -> HeightField {
+    let mut grid = Grid::new(Shape::new(rows, cols), [cell; 2]).unwrap();
+    grid.edges = edges;
+    let z = (0..grid.len()).map(|i| f((i % cols) as f64, (i / cols) as f64)).collect();
+    HeightField::new(grid, z).unwrap()
+}
+
+fn run(terrain: HeightField, params: ChannelErosion, rounds: u64) -> HeightField {
+    let mut sim =
+        Simulation::new(terrain).process(params).unwrap().dt(YEAR).seed(Seed(2)).until(Stop::steps(rounds));
+    let outcome = sim.run().unwrap();
+    assert!(outcome.budget.imbalance() < 1e-10 && outcome.budget.sediment_imbalance() < 1e-10, "{outcome:?}");
+    sim.into_terrain()
+}
+
+/// A slope to the south, noise on it, open there only.
+fn ramp(n: usize) -> HeightField {
+    let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+    field(n, n / 2, 10.0, edges, |x, y| 2.0 * (n as f64 - y) + 3.0 * Seed(8).uniform((y * 999.0 + x) as u64))
+}
+
+#[test]
+fn water_only_lowers_the_ground_and_never_below_its_lowest_neighbour() {
+    for transport in [
+        Transport::Columns,
+        Transport::Average,
+        Transport::WeightedAverage,
+        Transport::Pipes,
+        Transport::AreaMap,
+    ] {
+        let before = ramp(64);
+        let params = ChannelErosion { transport, base_weight: 0.0, ..ChannelErosion::default() };
+        let after = run(before.clone(), params, 10);
+        let (a, b) = (before.elevation(), after.elevation());
+        assert!((0..a.len()).all(|i| b[i] <= a[i]), "{transport:?}");
+        let lowest = a.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(b.iter().all(|&z| z >= lowest - 1e-9), "{transport:?}");
+        assert!(a != b, "{transport:?}");
+    }
+}
+
+#[test]
+fn a_lake_fills_spills_and_breaks_through() {
+    // A bowl on a table that falls away in the south.
+    let bowl = |x: f64, y: f64| {
+        let r = math::hypot(x - 20.0, y - 20.0);
+        (40.0f64.min(0.1 * r * r)) - 2.0 * (y - 36.0).max(0.0)
+    };
+    let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+    let lake = |t: &HeightField| {
+        let depth = t.fields().get(&names::WATER_DEPTH, "").unwrap();
+        (t.elevation()[20 * 41 + 20] + depth[20 * 41 + 20], depth[20 * 41 + 20])
+    };
+    let at = |rounds| lake(&run(field(61, 41, 10.0, edges, bowl), ChannelErosion::default(), rounds));
+    let levels: Vec<(f64, f64)> = [2, 8, 40, 400].map(at).to_vec();
+    assert!(levels[0].0 < levels[1].0, "it fills: {levels:?}");
+    assert!(levels[3].0 < levels[1].0 - 5.0 && levels[3].1 < levels[1].1 - 5.0, "it is drained: {levels:?}");
+}
+
+#[test]
+fn fewer_and_wider_channels_reach_the_foot() {
+    // Capture: threads that carry flow across the lower part of the slope become fewer.
+    let threads = |t: &HeightField| {
+        let q = t.fields().get(&names::DISCHARGE, "").unwrap();
+        let (rows, cols) = (t.grid.shape.rows, t.grid.shape.cols);
+        let row: Vec<f64> = (0..cols).map(|c| q[(rows - 8) * cols + c]).collect();
+        let total: f64 = row.iter().sum();
+        // Effective number: 1 / sum of squared shares.
+        total * total / row.iter().map(|v| v * v).sum::<f64>()
+    };
+    let params = ChannelErosion { rainfall: landform_core::units::Rate::of(1000.0).into(), ..ChannelErosion::default() };
+    let count = |rounds| threads(&run(ramp(128), params.clone(), rounds));
+    let (early, late) = (count(2), count(80));
+    assert!(late < 0.75 * early, "{early} {late}");
+}
+
+#[test]
+fn rivers_widen_with_the_root_of_their_water() {
+    // WC8: wet width against discharge along rivers of a valley that gathers tributaries.
+    let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+    let n = 161;
+    let start = field(n, n, 10.0, edges, |x, y| {
+        1.0 * (n as f64 - y) + 0.4 * (x - 80.0).abs() + 4.0 * Seed(9).uniform((y * 999.0 + x) as u64)
+    });
+    let t = run(start, ChannelErosion { channel_radius: Some(Length::of(80.0)), ..ChannelErosion::default() }, 150);
+    let (q, depth) =
+        (t.fields().get(&names::DISCHARGE, "").unwrap(), t.fields().get(&names::WATER_DEPTH, "").unwrap());
+    // Across the main valley, row by row: water that is as deep as half the thread's.
+    let points: Vec<(f64, f64)> = (30..n - 10)
+        .map(|row| {
+            let row = &(row * n..(row + 1) * n);
+            let flow: f64 = q[row.clone()].iter().sum::<f64>();
+            let deepest = depth[row.clone()].iter().copied().fold(0.0, f64::max);
+            let width = depth[row.clone()].iter().filter(|d| **d > 0.5 * deepest).count() as f64;
+            (math::log(flow), math::log(width))
+        })
+        .collect();
+    let (slope, ..) = math::line_fit(points.iter().copied());
+    assert!((0.3..0.6).contains(&slope), "{slope}");
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bytes() {
+    for transport in [Transport::Columns, Transport::Pipes] {
+        let params = ChannelErosion { transport, ..ChannelErosion::default() };
+        let one = with_threads(1, || run(ramp(300), params.clone(), 6)).unwrap();
+        let two = with_threads(2, || run(ramp(300), params.clone(), 6)).unwrap();
+        assert!(one.elevation().iter().zip(two.elevation()).all(|(a, b)| a.to_bits() == b.to_bits()));
+    }
+}

@@ -1,0 +1,188 @@
+//! How channels wear the ground in a round (Eqs. 4.4 and 4.6 of Pytel 2015).
+//!
+//! # Model
+//! In units of length u = extent / 256 (the seed's grids have about as many cells), with f = (w_a f_a + w_c f_c)^m:
+//!
+//! ∂z/∂t = f w_Δ Δz − f (w_d |∇h| + w_0), never lower than the lowest neighbour; hollows have only f w_Δ Δz − f w_0.
+//!
+//! # Method
+//! The cutting part is explicit and limited by the lowest neighbour as it was; smoothing is implicit, by a few sweeps of Jacobi from it, so
+//! that no weight makes it unstable. No node reads what another has written: the same bits on any number of threads. Without `everywhere`
+//! smoothing only lowers: what would fill a channel's bed is washed away.
+//!
+//! # Sources
+//! Pytel (2015), Eqs. 4.4 to 4.6. His time step is in the weights and his f has no stated scale; here f_c is the part of the map's water,
+//! and a round is [`STEP`] of a step of his equation, found by looking. We take the slope of the water's surface, so that rivers stop cutting where they run into
+//! lakes. Slopes are those of the fitted quadratic, as his; the Laplacian is not: that of a quadratic fitted to nine nodes is positive for
+//! the checkerboard (8/3 for one of height 1), so explicit or not it would grow.
+
+use landform_core::algo::derivative::quadratic;
+use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, RasterDomain};
+use landform_core::grid::Grid;
+use landform_core::verb::Resolved;
+use landform_core::{math, parallel};
+
+use super::banks::{Bank, River};
+
+/// Part of the seed's equation that a round stands for.
+const STEP: f64 = 0.5;
+/// Cells of the seed's grids.
+const SEED_CELLS: f64 = 256.0;
+/// Sweeps of smoothing.
+const SWEEPS: usize = 6;
+/// Smoothing weaker than this does nothing that one could see.
+const FAINT: f64 = 1e-4;
+
+/// Weights of the terms.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Weights {
+    pub(super) avalanche: f64,
+    pub(super) flow: f64,
+    pub(super) exponent: f64,
+    pub(super) diffusion: f64,
+    pub(super) advection: f64,
+    pub(super) base: f64,
+    pub(super) uplift: f64,
+    pub(super) everywhere: bool,
+}
+
+/// What a round of wear looks at.
+pub(super) struct Ground<'a> {
+    pub(super) grid: &'a Grid,
+    pub(super) domain: &'a RasterDomain,
+    pub(super) z: &'a [f64],
+    /// Depth of standing water.
+    pub(super) standing: &'a [f64],
+    /// Flow as a part of the map's water.
+    pub(super) flow: &'a [f64],
+    pub(super) banks: &'a [Bank],
+    pub(super) river: River,
+    pub(super) softness: &'a Resolved,
+    /// The ground beyond the open border; none where base levels are held.
+    pub(super) beyond: Option<Beyond>,
+}
+
+/// The ground beyond the open border: it falls away from it, down to a base level.
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+pub(super) struct Beyond {
+    /// Its slope.
+    pub(super) slope: f64,
+    /// Where it ends, m.
+    pub(super) lowest: f64,
+}
+
+impl Ground<'_> {
+    /// Whether a node is worn.
+    fn gives_way(&self, i: usize) -> bool {
+        let status = self.domain.status()[i];
+        status == INTERIOR || status == BASE_LEVEL && self.beyond.is_some()
+    }
+
+    /// Slope of the ground beyond the border at a node of it.
+    fn fall(&self, i: usize) -> f64 {
+        match self.beyond {
+            Some(b) if self.domain.status()[i] == BASE_LEVEL && self.z[i] > b.lowest => b.slope,
+            _ => 0.0,
+        }
+    }
+
+    /// The lowest ground beside a node.
+    fn lowest(&self, i: usize) -> f64 {
+        let beside = self.domain.neighbours(i).map(|l| self.z[l.to]).fold(f64::INFINITY, f64::min);
+        match self.beyond {
+            Some(b) if self.domain.status()[i] == BASE_LEVEL => {
+                let across = self.grid.spacing[0].min(self.grid.spacing[1]);
+                beside.min((self.z[i] - b.slope * across).max(b.lowest))
+            }
+            _ => beside,
+        }
+    }
+}
+
+/// The unit of length, m.
+pub(super) fn unit(grid: &Grid) -> f64 {
+    let [w, h] = grid.extent();
+    w.max(h).max(grid.spacing[0]) / SEED_CELLS
+}
+
+/// Uplift in a round, m.
+pub(super) fn uplift(grid: &Grid, weights: &Weights) -> f64 {
+    STEP * weights.uplift * unit(grid)
+}
+
+/// The ground after a round.
+pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
+    let u = unit(g.grid);
+    let surface = parallel::map(g.z.len(), |i| g.z[i] + g.standing[i]);
+    let power = |i: usize| {
+        let f = weights.avalanche * g.banks[i].lent + weights.flow * g.flow[i];
+        if f > 0.0 { math::pow(f, weights.exponent) } else { 0.0 }
+    };
+    let cut = parallel::map(g.z.len(), |i| {
+        let (z, f) = (g.z[i], power(i));
+        if !g.gives_way(i) || f == 0.0 {
+            return (z, 0.0);
+        }
+        let f = f * STEP * g.softness.at(i);
+        let floor = g.lowest(i);
+        // Standing water slows the flow as it deepens it; its pull on the ground goes with the square of its speed.
+        let still = g.standing[i];
+        let brisk = if still > 0.0 { let d = g.river.depth(g.flow[i]); (d / (d + still)) * (d / (d + still)) } else { 1.0 };
+        let slope = if z > floor && weights.advection > 0.0 {
+            let q = quadratic(g.grid, &surface, i);
+            (q.p * q.p + q.q * q.q).sqrt()
+        } else {
+            0.0
+        };
+        let slope = slope.max(g.fall(i));
+        let taken = f * brisk * u * (weights.advection * slope + weights.base);
+        let new = if z > floor { (z - taken).max(floor) } else { z - taken };
+        (new, f)
+    });
+    let smoothing = if weights.everywhere { STEP } else { 1.0 };
+    let kappa = weights.diffusion * smoothing * u * u;
+    let strength = |i: usize| {
+        let k = if weights.everywhere { kappa } else { kappa * cut[i].1 };
+        if g.gives_way(i) { k } else { 0.0 }
+    };
+    let mut out = smooth(g, &cut, strength);
+    parallel::update(&mut out, |i, new| {
+        if !g.gives_way(i) {
+            *new = g.z[i];
+            return;
+        }
+        if !weights.everywhere {
+            *new = new.min(g.z[i]);
+        }
+        let floor = g.lowest(i);
+        if g.z[i] > floor {
+            *new = new.max(floor);
+        }
+    });
+    out
+}
+
+/// Solves (1 + k Σ c) z' − k Σ c z'_j = z by Jacobi's sweeps, c = 1/dx² and 1/dy².
+fn smooth(g: &Ground, cut: &[(f64, f64)], strength: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
+    let [dx, dy] = g.grid.spacing;
+    let least = FAINT * dx.min(dy) * dx.min(dy);
+    let mut now = parallel::map(cut.len(), |i| cut[i].0);
+    let mut next = now.clone();
+    for _ in 0..SWEEPS {
+        parallel::fill(&mut next, |i| {
+            let k = strength(i);
+            if k < least {
+                return cut[i].0;
+            }
+            let (mut weight, mut sum) = (1.0, cut[i].0);
+            for link in g.domain.neighbours(i).filter(|l| l.slot % 2 == 0) {
+                let c = k / (link.distance * link.distance);
+                weight += c;
+                sum += c * now[link.to];
+            }
+            sum / weight
+        });
+        std::mem::swap(&mut now, &mut next);
+    }
+    now
+}

@@ -1,0 +1,139 @@
+//! Ground grown from a mask by fronts of erosion: the first stage of two-stage terrain (Pytel 2015, 4.3.4).
+//!
+//! # Model
+//! What the mask chooses is the lowest ground: rivers, seas. From there fronts gnaw into the rest as the sea gnaws a coast, and where they
+//! have come so far they leave level sets; heights rise from set to set, to the greatest where the fronts met last. Any level that the ground
+//! is flooded to has the coast that fronts leave.
+//!
+//! # Limits
+//! Sides of the map are no fronts: hills run out of it.
+//!
+//! # Sources
+//! Pytel (2015), listing 4.1 and figures 4.16, 4.17.
+
+use landform_core::field::names;
+use landform_core::grid::{Edge, Edges, Grid, Lattice};
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::units::{Length, Ratio, RatioDimension};
+use landform_core::verb::{Context, Estimate, Generator, Params, Source, Varying};
+use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::heights::{LevelInterpolation, heights};
+use super::levels::Gnawing;
+use super::params::{CoastErosion, Exposure, Perimeter, Weakening, Whole};
+use crate::mechanism::within_map;
+
+/// Level sets along the longer side, if their spacing is not given.
+const SETS_ACROSS: f64 = 24.0;
+
+/// Hills that grow from a mask: where it is at least one half lies the lowest ground, and level sets shaped like coasts rise from there.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct FrontTerrain {
+    /// The lowest ground, where at least one half: a picture such as { image = "strokes.png", black = 0.0, white = 1.0 }, or a formula.
+    pub mask: Varying<RatioDimension>,
+    /// Extent east and north.
+    #[schemars(extend("x-above" = 0.0))]
+    pub size: [Length; 2],
+    /// Distance between nodes; adjusted so that a whole number of cells fits.
+    #[schemars(extend("x-above" = 0.0))]
+    pub cell_size: Length,
+    /// Elevation of the lowest ground.
+    pub lowest: Length,
+    /// Greatest height above the lowest ground.
+    #[schemars(extend("x-above" = 0.0))]
+    pub relief: Length,
+    /// How heights between level sets are found.
+    pub interpolation: LevelInterpolation,
+    /// Farthest that a level set lies from the one before; a 24th of the longer side if not given.
+    #[schemars(extend("x-above" = 0.0))]
+    pub spacing: Option<Length>,
+    /// Force of the fronts at the start, as in `coast_erosion`.
+    #[schemars(extend("x-above" = 0.0))]
+    pub force: Ratio,
+    /// Damping by the length of the fronts.
+    #[schemars(extend("x-min" = 0.0))]
+    pub damping: Ratio,
+    /// Whose length damps, as in `coast_erosion`.
+    pub perimeter: Perimeter,
+    /// How places grow weaker with the sides that the fronts reach.
+    pub exposure: Exposure,
+    /// Weakening of what lies near a place that falls, for smoother level sets.
+    pub weakening: Option<Weakening>,
+}
+
+impl Default for FrontTerrain {
+    fn default() -> Self {
+        Self {
+            mask: Ratio::of(1.0).into(),
+            size: [Length::of(2560.0); 2],
+            cell_size: Length::of(10.0),
+            lowest: Length::of(0.0),
+            relief: Length::of(300.0),
+            interpolation: LevelInterpolation::Variational,
+            spacing: None,
+            force: Ratio::of(0.3),
+            damping: Ratio::of(0.15),
+            perimeter: Perimeter::Whole(Whole::Global),
+            exposure: Exposure::Proportional,
+            weakening: Some(Weakening { amount: 0.3, radius: Length::of(60.0) }),
+        }
+    }
+}
+
+impl Params for FrontTerrain {
+    const NAME: &'static str = "front_terrain";
+    const SOURCES: &'static [Source] = CoastErosion::SOURCES;
+
+    fn check(&self) -> Result<()> {
+        CoastErosion { perimeter: self.perimeter, weakening: self.weakening, ..CoastErosion::default() }.check()
+    }
+}
+
+impl FrontTerrain {
+    fn grid(&self) -> Result<Grid> {
+        Grid::covering(self.size.map(Length::si), self.cell_size.si())
+    }
+}
+
+impl Generator<HeightField> for FrontTerrain {
+    fn generate(&self, context: &Context) -> Result<HeightField> {
+        let grid = self.grid()?;
+        if let Some(w) = self.weakening {
+            within_map("weakening", w.radius, &grid)?;
+        }
+        let mut terrain = HeightField::new(grid, vec![self.lowest.si(); self.grid()?.len()])?;
+        let mask = self.mask.resolve("mask", &terrain, context)?;
+        let land: Vec<bool> = (0..terrain.grid.len()).map(|i| mask.at(i) < 0.5).collect();
+        if land.iter().all(|l| *l) {
+            return Err(Error::parameter("mask", "below one half everywhere", "a map that chooses some of the ground"));
+        }
+        let longer = terrain.grid.extent()[0].max(terrain.grid.extent()[1]);
+        let spacing = self.spacing.map_or(longer / SETS_ACROSS, Length::si);
+        // The map's sides are no sea.
+        let closed = Grid { edges: Edges::all(Edge::Closed), ..terrain.grid.clone() };
+        let gnawing = Gnawing {
+            force: self.force,
+            damping: self.damping,
+            perimeter: self.perimeter,
+            exposure: self.exposure,
+            weakening: self.weakening,
+            spacing,
+        };
+        let levels = gnawing.levels(&closed, &land, context.seed)?;
+        let count = levels.iter().copied().max().unwrap_or(0).max(1);
+        let interval = self.relief.si() / f64::from(count);
+        let lattice = Lattice::of(&closed);
+        let heights = heights(&lattice, &levels, interval, interval / spacing, self.interpolation, |_| false);
+        terrain.elevation_mut().iter_mut().zip(&heights).for_each(|(z, h)| *z += h);
+        terrain.fields_mut().insert(&names::LEVEL_SET, levels);
+        Ok(terrain)
+    }
+
+    fn estimate(&self, _: &Context) -> Result<Estimate> {
+        let nodes = self.grid()?.len() as u64;
+        Ok(Estimate { nodes, bytes: nodes * 260, extent: self.size.map(Length::si) })
+    }
+}

@@ -1,0 +1,151 @@
+//! How a site shares its water among lower neighbours.
+//!
+//! # Sources
+//! Pytel (2015), figure 4.11 for columns and listing 4.2 for averages. Columns are levelled in closed form: neighbours are raised in
+//! order of height until the water is used up, which is what the seed's steps of raising m sites to the level of the next come to.
+
+/// Who receives how much.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rule {
+    /// The lowest neighbours first, each raised to the level of the next; `depth` m of water where all the water of the map runs, less
+    /// with the root of the flow.
+    Columns {
+        /// The depth, m.
+        depth: f64,
+    },
+    /// All lower neighbours alike.
+    Average,
+    /// All lower neighbours, in proportion to how much lower they are.
+    Weighted,
+}
+
+/// Lower neighbours of a site: node, level and share.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Lower {
+    list: [(u32, f64, f64); 8],
+    len: usize,
+}
+
+impl Lower {
+    /// Adds a neighbour, by height.
+    #[inline]
+    pub fn push(&mut self, node: usize, level: f64) {
+        let mut k = self.len;
+        while k > 0 && self.list[k - 1].1 > level {
+            self.list[k] = self.list[k - 1];
+            k -= 1;
+        }
+        self.list[k] = (node as u32, level, 0.0);
+        self.len += 1;
+    }
+
+    /// Whether there are none.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Nodes and shares, which add up to 1 once they are set; neighbours without a share are left out.
+    #[inline]
+    pub fn shares(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.list[..self.len].iter().filter(|l| l.2 > 0.0).map(|l| (l.0 as usize, l.2))
+    }
+
+    /// Levels to which `water` on a site at `top` raises it and its neighbours: the common level of those that get wet, at most level
+    /// with the site; shares are depths.
+    ///
+    /// With n neighbours that end up wet the level is (water + their heights) / n, and one more term where the site stays wet.
+    pub fn equalise(&mut self, top: f64, water: f64) -> f64 {
+        let (mut left, mut sum) = (water, 0.0);
+        let mut level = top;
+        for m in 0..=self.len {
+            let next = if m < self.len { self.list[m].1 } else { top };
+            let room = m as f64 * next - sum;
+            if m > 0 && water <= room {
+                level = (water + sum) / m as f64;
+                left = 0.0;
+                break;
+            }
+            sum += next;
+        }
+        if left > 0.0 {
+            level = (water + sum) / (self.len + 1) as f64;
+        }
+        for l in &mut self.list[..self.len] {
+            l.2 = (level - l.1).max(0.0);
+        }
+        level
+    }
+
+    /// Sets the shares of a site at `top` through which `part` of all the map's water runs.
+    #[inline]
+    pub fn share(&mut self, rule: Rule, top: f64, part: f64) {
+        let total: f64 = match rule {
+            Rule::Columns { depth } => {
+                let water = depth * part.sqrt();
+                if self.len == 1 || water <= self.list[1].1 - self.list[0].1 {
+                    self.list[0].2 = 1.0;
+                    return;
+                }
+                self.equalise(top, water);
+                self.list[..self.len].iter().map(|l| l.2).sum()
+            }
+            Rule::Average => {
+                self.list[..self.len].iter_mut().for_each(|l| l.2 = 1.0);
+                self.len as f64
+            }
+            Rule::Weighted => {
+                self.list[..self.len].iter_mut().for_each(|l| l.2 = top - l.1);
+                self.list[..self.len].iter().map(|l| l.2).sum()
+            }
+        };
+        self.list[..self.len].iter_mut().for_each(|l| l.2 /= total);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lower(levels: &[f64]) -> Lower {
+        let mut lower = Lower::default();
+        levels.iter().enumerate().for_each(|(k, &l)| lower.push(k, l));
+        lower
+    }
+
+    #[test]
+    fn columns_end_on_the_level_of_water_filling() {
+        // WC3: level = (w + sum of wet heights) / number of wet sites.
+        let cases: [(&[f64], f64, f64, f64); 5] = [
+            (&[1.0, 2.0, 5.0], 9.0, 0.5, 1.5),
+            (&[2.0, 1.0, 5.0], 9.0, 3.0, 3.0),
+            (&[1.0, 2.0, 5.0], 9.0, 10.0, 6.0),
+            (&[1.0, 2.0, 5.0], 9.0, 25.0, 10.5),
+            (&[3.0], 4.0, 5.0, 6.0),
+        ];
+        for (heights, top, water, expected) in cases {
+            let mut l = lower(heights);
+            let level = l.equalise(top, water);
+            assert!((level - expected).abs() < 1e-12, "{heights:?} {water}: {level}");
+            let given: f64 = l.shares().map(|s| s.1).sum();
+            let kept = (level - top).max(0.0);
+            assert!((given + kept - water).abs() < 1e-12, "WC1");
+        }
+    }
+
+    #[test]
+    fn shares_add_up_and_columns_prefer_the_lowest() {
+        for rule in [Rule::Columns { depth: 2.0 }, Rule::Average, Rule::Weighted] {
+            let mut l = lower(&[4.0, 1.0, 2.5, 3.0]);
+            l.share(rule, 5.0, 1.0);
+            let total: f64 = l.shares().map(|s| s.1).sum();
+            assert!((total - 1.0).abs() < 1e-15);
+            let of = |node: usize| l.shares().find(|s| s.0 == node).map_or(0.0, |s| s.1);
+            match rule {
+                Rule::Columns { .. } => assert!(of(1) > 0.8 && of(0) == 0.0),
+                Rule::Average => assert_eq!(of(0), 0.25),
+                Rule::Weighted => assert!((of(1) - 4.0 / 9.5).abs() < 1e-15),
+            }
+        }
+    }
+}

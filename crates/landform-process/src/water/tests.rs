@@ -1,0 +1,188 @@
+use landform_core::algo::depression::flood_levels;
+use landform_core::grid::{Domain, Edge, Edges, Grid, INTERIOR, RasterDomain, Shape};
+use landform_core::math;
+use landform_core::random::Seed;
+
+use super::*;
+
+const RULES: [Rule; 3] = [Rule::Columns { depth: 1.0 }, Rule::Average, Rule::Weighted];
+
+fn ground(edge: Edge, rows: usize, cols: usize, f: impl Fn(f64, f64) -> f64) -> (RasterDomain, Vec<f64>) {
+    let mut grid = Grid::new(Shape::new(rows, cols), [10.0; 2]).unwrap();
+    grid.edges = Edges::all(edge);
+    let z = (0..grid.len()).map(|i| f((i % cols) as f64, (i / cols) as f64)).collect();
+    (RasterDomain::new(&grid, &[]), z)
+}
+
+fn rain(depth: &[f64]) -> Supply<'_> {
+    Supply { depth, total: depth.iter().sum(), evaporation: 0.0, sinks: &[] }
+}
+
+fn rough(x: f64, y: f64) -> f64 {
+    10.0 * Seed(3).uniform((y * 1000.0 + x) as u64) + 5.0 * math::sin(x / 5.0) * math::cos(y / 6.0)
+}
+
+#[test]
+fn a_tilted_plane_sheds_all_its_rain() {
+    for rule in RULES {
+        let (domain, z) = ground(Edge::Open, 30, 40, |x, y| 2.0 * x + 0.3 * y);
+        let mut water = vec![0.0; z.len()];
+        let ledger = Sweep::new(rule).round(&domain, &z, &rain(&vec![0.5; z.len()]), &mut water);
+        assert!(ledger.stored == 0.0 && ledger.imbalance() < 1e-12, "{ledger:?}");
+    }
+}
+
+#[test]
+fn water_is_conserved_round_by_round() {
+    // WC1, with evaporation and on rough ground.
+    for rule in RULES {
+        let (domain, z) = ground(Edge::Open, 60, 70, rough);
+        let (mut water, mut sweep) = (vec![0.0; z.len()], Sweep::new(rule));
+        let depth = vec![0.3; z.len()];
+        for _ in 0..12 {
+            let ledger = sweep.round(&domain, &z, &Supply { evaporation: 0.1, ..rain(&depth) }, &mut water);
+            assert!(ledger.imbalance() < 1e-12, "{ledger:?}");
+        }
+        assert!(water.iter().sum::<f64>() > 0.0);
+    }
+}
+
+#[test]
+fn level_ground_keeps_its_water() {
+    // Terraces: every node has equals beside it.
+    for rule in RULES {
+        let (domain, z) = ground(Edge::Open, 60, 70, |x, y| (0.4 * rough(x, y)).floor() + 5.0 * (x / 9.0).floor());
+        let level = flood_levels(&domain, &z);
+        let (mut water, mut sweep) = (vec![0.0; z.len()], Sweep::new(rule));
+        for _ in 0..30 {
+            let ledger = sweep.round(&domain, &z, &rain(&vec![1.0; z.len()]), &mut water);
+            assert!(ledger.imbalance() < 1e-12, "{ledger:?}");
+        }
+        let wrong = (0..z.len()).filter(|&i| (z[i] + water[i] - level[i]).abs() > 1e-9).count();
+        assert_eq!(wrong, 0, "{rule:?}");
+    }
+}
+
+#[test]
+fn hollows_fill_to_the_level_of_priority_flood() {
+    // WC5: with enough rain every hollow stands at its lowest pass, whatever the rule and in however many rounds.
+    let (domain, z) = ground(Edge::Open, 60, 70, rough);
+    let level = flood_levels(&domain, &z);
+    for (rule, rounds) in RULES.into_iter().flat_map(|r| [(r, 1), (r, 7)]) {
+        let (mut water, mut sweep) = (vec![0.0; z.len()], Sweep::new(rule));
+        let depth = vec![40.0 / f64::from(rounds); z.len()];
+        for _ in 0..rounds {
+            sweep.round(&domain, &z, &rain(&depth), &mut water);
+        }
+        let wrong = (0..z.len()).filter(|&i| (z[i] + water[i] - level[i]).abs() > 1e-9).count();
+        assert_eq!(wrong, 0, "{rule:?} in {rounds}");
+    }
+}
+
+#[test]
+fn a_paraboloid_holds_the_water_that_its_volume_says() {
+    // WC2: V = pi l^2 R^2 / 2 for level l in z = l r^2 / R^2.
+    let (domain, z) = ground(Edge::Closed, 201, 201, |x, y| 0.01 * (math::pow(x - 100.0, 2.0) + math::pow(y - 100.0, 2.0)));
+    for rule in RULES {
+        let mut water = vec![0.0; z.len()];
+        let volume = 20_000.0;
+        let depth = vec![volume / z.len() as f64; z.len()];
+        Sweep::new(rule).round(&domain, &z, &rain(&depth), &mut water);
+        // In cells: z = 0.01 r^2, so l = sqrt(2 V 0.01 / pi).
+        let expected = (2.0 * volume * 0.01 / std::f64::consts::PI).sqrt();
+        let wet: Vec<f64> = (0..z.len()).filter(|&i| water[i] > 0.0).map(|i| z[i] + water[i]).collect();
+        let (lo, hi) = wet.iter().fold((f64::MAX, f64::MIN), |(a, b), &h| (a.min(h), b.max(h)));
+        assert!(hi - lo < 1e-6 && (hi / expected - 1.0).abs() < 2e-3, "{lo} {hi} {expected}");
+    }
+}
+
+#[test]
+fn two_bowls_in_a_row_fill_one_after_the_other() {
+    // A valley along x with a sill at 20 and an exit on the east at 40.
+    let bed = |x: f64, y: f64| {
+        let floor: f64 = if x < 20.0 { 10.0 + (x - 10.0).abs() * 0.3 } else { 5.0 + (x - 30.0).abs() * 0.4 };
+        floor + 4.0 * (y - 5.0).abs()
+    };
+    let (domain, z) = ground(Edge::Open, 11, 41, bed);
+    let spring = 5 * 41 + 8;
+    let mut depth = vec![0.0; z.len()];
+    depth[spring] = 2.0;
+    let (mut water, mut sweep) = (vec![0.0; z.len()], Sweep::new(RULES[0]));
+    let (mut first, mut second, mut out) = (None, None, None);
+    for round in 0..60 {
+        let ledger = sweep.round(&domain, &z, &rain(&depth), &mut water);
+        assert!(ledger.imbalance() < 1e-12);
+        let is_wet = |x: usize| water[5 * 41 + x] > 0.0;
+        first = first.or((is_wet(10)).then_some(round));
+        second = second.or((is_wet(30)).then_some(round));
+        out = out.or((ledger.left > 0.0).then_some(round));
+    }
+    assert!(first < second && second < out && out.is_some(), "{first:?} {second:?} {out:?}");
+    // Full, they pass all.
+    let ledger = sweep.round(&domain, &z, &rain(&depth), &mut water);
+    assert!((ledger.left / 2.0 - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn what_passes_adds_up_to_drainage_area_where_water_takes_one_way() {
+    let (domain, z) = ground(Edge::Open, 40, 40, |x, y| rough(x, y) + 3.0 * x);
+    let mut flow = landform_core::algo::flow::Flow::new();
+    let mut area = landform_core::algo::flow::node_areas(&domain);
+    flow.route(&domain, &z, &mut area);
+    let depth = vec![1.0; z.len()];
+    let mut sweep = Sweep::new(Rule::Columns { depth: 1e-9 });
+    let mut water = vec![0.0; z.len()];
+    for _ in 0..60 {
+        sweep.round(&domain, &z, &rain(&depth), &mut water);
+    }
+    // All that rains inside leaves over the border, in either.
+    let out = |amount: &dyn Fn(usize) -> f64| {
+        (0..z.len()).filter(|&i| domain.status()[i] != INTERIOR).map(amount).sum::<f64>()
+    };
+    let (a, b) = (out(&|i| sweep.passed()[i]), out(&|i| area[i] / 100.0));
+    assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
+}
+
+#[test]
+fn a_broken_dam_runs_at_twice_the_speed_of_its_wave() {
+    // WC11 (Ritter): the front on a dry bed without friction runs at 2 sqrt(g h0); where it is h deep, 3 sqrt(g h) slower.
+    let (domain, z) = ground(Edge::Closed, 3, 2000, |_, _| 0.0);
+    let (h0, dx) = (1.0, 10.0);
+    let mut water: Vec<f64> = (0..z.len()).map(|i| if i % 2000 < 1000 { h0 } else { 0.0 }).collect();
+    let none = vec![0.0; z.len()];
+    let mut pipes = Pipes::new(z.len(), [dx; 2], 0.0);
+    let front = |water: &[f64]| (0..2000).rfind(|&c| water[2000 + c] > 1e-3 * h0).unwrap_or(0) as f64 * dx;
+    let (mut time, mut mark) = (0.0, None);
+    while time < 1200.0 {
+        let dt = pipes.max_step(&water).min(0.5);
+        let ledger = pipes.step(&domain, &z, &rain(&none), dt, &mut water);
+        assert!(ledger.imbalance() < 1e-12, "WC1");
+        time += dt;
+        if mark.is_none() && time > 300.0 {
+            mark = Some((time, front(&water)));
+        }
+    }
+    let (t0, x0) = mark.unwrap();
+    let speed = (front(&water) - x0) / (time - t0);
+    let expected = 2.0 * (9.81f64 * h0).sqrt() - 3.0 * (9.81f64 * 1e-3 * h0).sqrt();
+    assert!((speed / expected - 1.0).abs() < 0.1, "{speed} {expected}");
+}
+
+#[test]
+fn water_in_pipes_comes_to_rest_level() {
+    // WC2 with friction: a closed bowl; all transports agree on the level.
+    let (domain, z) = ground(Edge::Closed, 21, 21, |x, y| 0.04 * (math::pow(x - 10.0, 2.0) + math::pow(y - 10.0, 2.0)));
+    let depth = vec![0.5; z.len()];
+    let mut expected = vec![0.0; z.len()];
+    Sweep::new(RULES[0]).round(&domain, &z, &rain(&depth), &mut expected);
+    let (mut pipes, mut water, none) = (Pipes::new(z.len(), [10.0; 2], 0.05), depth, vec![0.0; z.len()]);
+    for _ in 0..20_000 {
+        let dt = pipes.max_step(&water);
+        pipes.step(&domain, &z, &rain(&none), dt, &mut water);
+    }
+    let wet: Vec<f64> = (0..z.len()).filter(|&i| water[i] > 5e-3).map(|i| z[i] + water[i]).collect();
+    let (lo, hi) = wet.iter().fold((f64::MAX, f64::MIN), |(a, b), &h| (a.min(h), b.max(h)));
+    let level = (0..z.len()).filter(|&i| expected[i] > 0.0).map(|i| z[i] + expected[i]).fold(0.0, f64::max);
+    // It goes on sloshing, less and less: friction falls with the square of the speed.
+    assert!(hi - lo < 2e-3 && (hi - level).abs() < 2e-3, "{lo} {hi} {level}");
+}
