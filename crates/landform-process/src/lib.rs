@@ -2,6 +2,7 @@
 //!
 //! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are coupled by a recipe.
 
+pub mod basin;
 pub mod channel;
 pub mod coast;
 pub mod dune;
@@ -11,5 +12,6 @@ pub mod hillslope;
 pub mod mechanism;
 pub mod snow;
 pub mod stream_power;
+pub mod streams;
 pub mod uplift;
 pub mod water;

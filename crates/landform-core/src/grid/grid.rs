@@ -94,6 +94,13 @@ impl Grid {
         [(x - self.origin[0]) / self.spacing[0], (self.origin[1] - y) / self.spacing[1]]
     }
 
+    /// The node nearest to a position inside the raster.
+    pub fn node_at(&self, position: [f64; 2]) -> Option<usize> {
+        let [c, r] = self.col_row(position).map(f64::round);
+        let is_in = c >= 0.0 && r >= 0.0 && c < self.shape.cols as f64 && r < self.shape.rows as f64;
+        is_in.then(|| self.shape.index(r as usize, c as usize))
+    }
+
     /// Extent between the outer nodes, m: (N − 1) cells.
     pub fn extent(&self) -> [f64; 2] {
         [(self.shape.cols - 1) as f64 * self.spacing[0], (self.shape.rows - 1) as f64 * self.spacing[1]]

@@ -43,7 +43,7 @@ use serde::{Deserialize, Serialize};
 use banks::{Bank, River, banks};
 use engine::Water;
 pub use params::{ChannelErosion, Inflow, Sediment, Smoothing, Spring, Transport};
-use wear::{Beyond, Ground, Weights, uplift, worn};
+use wear::{Ground, Weights, uplift, worn};
 
 use crate::mechanism::within_map;
 
@@ -59,8 +59,10 @@ pub struct State {
     /// Nodes that swallow water.
     sinks: Vec<bool>,
     softness: Resolved,
-    /// The ground beyond the open border; none where base levels are held.
-    beyond: Option<Beyond>,
+    /// The lowest elevation at the start, m.
+    bottom: f64,
+    /// Slope of the ground beyond the open border; none where base levels are held.
+    beyond: Option<f64>,
     #[serde(skip)]
     scratch: Scratch,
 }
@@ -100,8 +102,10 @@ impl Process<HeightField> for ChannelErosion {
         };
         let softness = self.softness.resolve("softness", terrain, context)?;
         let standing = vec![0.0; rate.len()];
-        let beyond = (self.outlets.is_none() && terrain.chosen_status().is_none()).then(|| beyond(terrain));
+        let (bottom, slope) = bottom_and_slope(terrain);
+        let beyond = (self.outlets.is_none() && terrain.chosen_status().is_none()).then_some(slope);
         Ok(State {
+            bottom,
             beyond,
             water: Water::new(self, standing, terrain.grid.spacing),
             rate,
@@ -112,7 +116,7 @@ impl Process<HeightField> for ChannelErosion {
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
-        let State { water, rate, sinks, softness, beyond, scratch } = state;
+        let State { water, rate, sinks, softness, bottom, beyond, scratch } = state;
         let domain = scratch.domain.get_or_insert_with(|| terrain.domain()).clone();
         let ledger = water.round(self, &domain, terrain.elevation(), (rate, sinks, at.dt));
         debug_assert!(ledger.imbalance() < 1e-9, "{ledger:?}");
@@ -130,6 +134,7 @@ impl Process<HeightField> for ChannelErosion {
             banks: &scratch.banks,
             river,
             softness,
+            bottom: *bottom,
             beyond: *beyond,
         };
         let new = worn(&ground, &weights);
@@ -191,7 +196,7 @@ impl ChannelErosion {
         let mut rate = parallel::map(status.len(), |i| if status[i] == MASKED { 0.0 } else { rain.at(i) });
         for spring in &self.springs {
             let at = spring.at.map(Length::si);
-            let node = nearest(grid, at).filter(|&i| status[i] == INTERIOR);
+            let node = grid.node_at(at).filter(|&i| status[i] == INTERIOR);
             let Some(node) = node else {
                 let [[w, s], [e, n]] = terrain.bounds();
                 let inside = format!("a place inside the map ({w:.0} to {e:.0} m, {s:.0} to {n:.0} m), not on its open border");
@@ -235,20 +240,13 @@ impl ChannelErosion {
     }
 }
 
-/// Ground that falls by the map's relief over half its extent, down to its lowest elevation.
-fn beyond(terrain: &HeightField) -> Beyond {
+/// The lowest elevation of a map, and its relief over half its extent.
+fn bottom_and_slope(terrain: &HeightField) -> (f64, f64) {
     let z = terrain.elevation();
     let range = |(a, b): (f64, f64), &z: &f64| (a.min(z), b.max(z));
     let (lo, hi) = z.iter().filter(|z| z.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), range);
     let [w, h] = terrain.grid.extent();
-    Beyond { slope: (hi - lo) / (0.5 * w.max(h)).max(terrain.grid.spacing[0]), lowest: lo }
-}
-
-/// The node nearest to a position inside the map.
-fn nearest(grid: &Grid, at: [f64; 2]) -> Option<usize> {
-    let [c, r] = grid.col_row(at).map(f64::round);
-    let is_in = c >= 0.0 && r >= 0.0 && c < grid.shape.cols as f64 && r < grid.shape.rows as f64;
-    is_in.then(|| grid.shape.index(r as usize, c as usize))
+    (lo, (hi - lo) / (0.5 * w.max(h)).max(terrain.grid.spacing[0]))
 }
 
 /// Nodes one row or column inside a side.

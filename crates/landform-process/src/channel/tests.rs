@@ -95,14 +95,16 @@ fn rivers_widen_with_the_root_of_their_water() {
     let t = run(start, ChannelErosion { channel_radius: Some(Length::of(80.0)), ..ChannelErosion::default() }, 150);
     let (q, depth) =
         (t.fields().get(&names::DISCHARGE, "").unwrap(), t.fields().get(&names::WATER_DEPTH, "").unwrap());
-    // Across the main valley, row by row: water that is as deep as half the thread's.
+    // Across the main river, row by row: what is wet beside its deepest place, at least a third as deep.
     let points: Vec<(f64, f64)> = (30..n - 10)
         .map(|row| {
-            let row = &(row * n..(row + 1) * n);
-            let flow: f64 = q[row.clone()].iter().sum::<f64>();
-            let deepest = depth[row.clone()].iter().copied().fold(0.0, f64::max);
-            let width = depth[row.clone()].iter().filter(|d| **d > 0.5 * deepest).count() as f64;
-            (math::log(flow), math::log(width))
+            let of = |c: usize| depth[row * n + c];
+            let thread = (0..n).max_by(|&a, &b| of(a).total_cmp(&of(b))).unwrap();
+            let is_wet = |c: &usize| of(*c) > 0.33 * of(thread);
+            let reach: Vec<usize> =
+                (0..thread).rev().take_while(is_wet).chain((thread..n).take_while(is_wet)).collect();
+            let flow: f64 = reach.iter().map(|c| q[row * n + c]).sum();
+            (math::log(flow), math::log(reach.len() as f64))
         })
         .collect();
     let (slope, ..) = math::line_fit(points.iter().copied());

@@ -3,7 +3,8 @@
 //! # Model
 //! In units of length u = extent / 256 (the seed's grids have about as many cells), with f = (w_a f_a + w_c f_c)^m:
 //!
-//! ∂z/∂t = f w_Δ Δz − f (w_d |∇h| + w_0), never lower than the lowest neighbour; hollows have only f w_Δ Δz − f w_0.
+//! ∂z/∂t = f w_Δ Δz − f (w_d |∇h| + w_0), never lower than the lowest neighbour; hollows have only f w_Δ Δz − f w_0, down
+//! to the lowest ground that there was at the start.
 //!
 //! # Method
 //! The cutting part is explicit and limited by the lowest neighbour as it was; smoothing is implicit, by a few sweeps of Jacobi from it, so
@@ -58,17 +59,10 @@ pub(super) struct Ground<'a> {
     pub(super) banks: &'a [Bank],
     pub(super) river: River,
     pub(super) softness: &'a Resolved,
-    /// The ground beyond the open border; none where base levels are held.
-    pub(super) beyond: Option<Beyond>,
-}
-
-/// The ground beyond the open border: it falls away from it, down to a base level.
-#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
-pub(super) struct Beyond {
-    /// Its slope.
-    pub(super) slope: f64,
-    /// Where it ends, m.
-    pub(super) lowest: f64,
+    /// The lowest that hollows are cut to, m.
+    pub(super) bottom: f64,
+    /// Slope with which the ground beyond the open border falls to the bottom; none where base levels are held.
+    pub(super) beyond: Option<f64>,
 }
 
 impl Ground<'_> {
@@ -81,7 +75,7 @@ impl Ground<'_> {
     /// Slope of the ground beyond the border at a node of it.
     fn fall(&self, i: usize) -> f64 {
         match self.beyond {
-            Some(b) if self.domain.status()[i] == BASE_LEVEL && self.z[i] > b.lowest => b.slope,
+            Some(b) if self.domain.status()[i] == BASE_LEVEL && self.z[i] > self.bottom => b,
             _ => 0.0,
         }
     }
@@ -92,7 +86,7 @@ impl Ground<'_> {
         match self.beyond {
             Some(b) if self.domain.status()[i] == BASE_LEVEL => {
                 let across = self.grid.spacing[0].min(self.grid.spacing[1]);
-                beside.min((self.z[i] - b.slope * across).max(b.lowest))
+                beside.min((self.z[i] - b * across).max(self.bottom))
             }
             _ => beside,
         }
@@ -136,7 +130,7 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
         };
         let slope = slope.max(g.fall(i));
         let taken = f * brisk * u * (weights.advection * slope + weights.base);
-        let new = if z > floor { (z - taken).max(floor) } else { z - taken };
+        let new = if z > floor { (z - taken).max(floor) } else { (z - taken).max(g.bottom.min(z)) };
         (new, f)
     });
     let smoothing = if weights.everywhere { STEP } else { 1.0 };

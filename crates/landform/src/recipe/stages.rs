@@ -9,6 +9,7 @@ use landform_io::measure::{
     MeasureCoast, MeasureDrainage, MeasureDunes, MeasureHypsometry, MeasureLandscape, MeasureSpectrum, MeasureSummary,
     MeasureSurface,
 };
+use landform_process::basin::{OptimalNetwork, ThresholdErosion};
 use landform_process::channel::ChannelErosion;
 use landform_process::coast::{CoastErosion, FrontTerrain, IslandInterior, PruneIslands};
 use landform_process::dune::Dunes;
@@ -16,9 +17,10 @@ use landform_process::edit::{Add, Derive, Drainage, FillDepressions, Mask, Resam
 use landform_process::generate::{
     Blend, Faulting, Flat, MidpointDisplacement, Noise, Shape, SpectralFbm, StreamGraph, Surface,
 };
-use landform_process::hillslope::LinearDiffusion;
+use landform_process::hillslope::{LinearDiffusion, ThermalErosion};
 use landform_process::snow::Snow;
 use landform_process::stream_power::StreamPower;
+use landform_process::streams::StreamAutomaton;
 use landform_process::uplift::Uplift;
 
 use super::Stage;
@@ -45,6 +47,7 @@ pub static STAGES: &[Stage] = &[
     Stage::edit::<FillDepressions, Mesh>(),
     Stage::edit::<IslandInterior, HeightField>(),
     Stage::edit::<Mask, HeightField>(),
+    Stage::edit::<OptimalNetwork, HeightField>(),
     Stage::edit::<PruneIslands, HeightField>(),
     Stage::edit::<Resample, HeightField>(),
     Stage::edit::<Warp, HeightField>(),
@@ -59,6 +62,10 @@ pub static STAGES: &[Stage] = &[
     Stage::process::<CoastErosion, HeightField>(),
     Stage::process::<Dunes, HeightField>(),
     Stage::process::<Snow, HeightField>(),
+    Stage::process::<StreamAutomaton, HeightField>(),
+    Stage::process::<ThermalErosion, HeightField>(),
+    Stage::process::<ThermalErosion, Mesh>(),
+    Stage::process::<ThresholdErosion, HeightField>(),
     Stage::measure::<MeasureSummary, HeightField>(),
     Stage::measure::<MeasureSummary, Mesh>(),
     Stage::measure::<MeasureCoast, HeightField>(),

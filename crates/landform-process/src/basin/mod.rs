@@ -1,0 +1,12 @@
+//! Basins that organise themselves: networks at the threshold of erosion, and networks of least energy.
+//!
+//! # Sources
+//! Rinaldo et al. (1993) and Rodríguez-Iturbe & Rinaldo (1997), Fractal River Basins; each part tells its own.
+
+mod optimal;
+#[cfg(test)]
+mod tests;
+mod threshold;
+
+pub use optimal::OptimalNetwork;
+pub use threshold::{Hollows, ThresholdErosion};

