@@ -358,7 +358,7 @@ impl Scene {
             return ground;
         }
         let deep = lit(hex(0x1f4e6b), [0.0, 0.0, 1.0]);
-        let murk = 1.0 - math::exp(-skin.water / 6.0);
+        let murk = 1.0 - 0.65 * math::exp(-skin.water / 3.0);
         let below = blend(scale(ground, 0.7), deep, murk);
         let facing = (-direction[2]).clamp(0.0, 1.0);
         let mirror = 0.03 + 0.97 * math::pow(1.0 - facing, 5.0);

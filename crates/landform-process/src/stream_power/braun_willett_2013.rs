@@ -21,6 +21,8 @@ pub(super) struct Law {
     pub(super) sea_level: f64,
     /// Deposition coefficient G.
     pub(super) deposition: f64,
+    /// What A^m S^n must exceed.
+    pub(super) threshold: f64,
     pub(super) dt: f64,
 }
 
@@ -67,11 +69,16 @@ pub(super) fn sweep<D: Domain>(
         // Roots and divisions hide behind the wait for memory: a pass of their own would cost more, even on two threads.
         let length = domain.distance(i, slots[i]);
         let strength = law.strength(erodibility.at(i), area[i], length);
+        // A threshold is a rate that the ground is spared.
+        let spared = law.threshold * erodibility.at(i) * law.dt;
         let mut new = if law.slope_exponent == 1.0 {
-            (old + strength * base) / (1.0 + strength)
+            (old + spared + strength * base) / (1.0 + strength)
         } else {
-            base + law.worn(old - base, strength)
+            base + law.worn(old + spared - base, strength)
         };
+        if spared > 0.0 {
+            new = new.min(old);
+        }
         let limit = base + law.greatest_slope * length;
         if clamped && new > limit {
             new += (limit - new) * law.slide(length);

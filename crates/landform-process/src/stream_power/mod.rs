@@ -176,6 +176,9 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             amount.clone_from(weight);
             flow.accumulate_multiple(&*domain, terrain.elevation(), exponent, amount);
         }
+        if self.specific_area {
+            parallel::update(amount, |i, a| *a /= domain.area(i).sqrt());
+        }
         Ok(())
     }
 

@@ -47,6 +47,13 @@ pub struct StreamPower {
     /// "60 m", period = "100 kyr" }. With outlets "sea" it is where rivers end (0 m if not given), elsewhere base levels
     /// rise and fall with it.
     pub sea_level: Option<Changing<LengthDimension>>,
+    /// What A^m S^n must exceed before rivers cut: k max(0, A^m S^n - threshold), in m^(2m). With creep beside it, hillslopes stay smooth
+    /// and valleys keep their distance.
+    #[schemars(extend("x-min" = 0.0))]
+    pub threshold: f64,
+    /// Whether A is the area per width of a cell (m), as for water that runs in sheets, rather than the area (m2). With `multiple_flow`
+    /// the spacing of valleys then does not depend on the cells.
+    pub specific_area: bool,
     /// Which lower neighbour receives a node's water.
     pub descent: Descent,
     /// Shares water among all lower neighbours, by slope to this power (Freeman: 1.1), for drainage area; all to one if not
@@ -67,6 +74,8 @@ impl Default for StreamPower {
             rainfall: None,
             outlets: None,
             sea_level: None,
+            threshold: 0.0,
+            specific_area: false,
             descent: Descent::Steepest,
             multiple_flow: None,
         }
@@ -101,11 +110,19 @@ impl Params for StreamPower {
             title: "Calculating catchment area with divergent flow based on a regular grid, Computers & Geosciences 17(3)",
             doi: "10.1016/0098-3004(91)90048-I",
         },
+        Source {
+            authors: "Perron, Dietrich & Kirchner (2008)",
+            title: "Controls on the spacing of first-order valleys, JGR Earth Surface 113",
+            doi: "10.1029/2007JF000977",
+        },
     ];
 
     fn check(&self) -> Result<()> {
         if self.talus_relaxation.is_some() && self.talus_angle.is_none() {
             return Err(Error::parameter("talus_relaxation", "given alone", "together with talus_angle"));
+        }
+        if self.threshold > 0.0 && self.deposition > 0.0 {
+            return Err(Error::parameter("threshold", self.threshold, "0 with `deposition`: the two are not solved together"));
         }
         self.outlets.as_ref().map_or(Ok(()), Outlets::check)
     }
@@ -121,6 +138,7 @@ impl StreamPower {
             relaxation: self.talus_relaxation.map_or(f64::INFINITY, |speed| speed.si() * dt),
             sea_level,
             deposition: self.deposition,
+            threshold: self.threshold,
             dt,
         }
     }

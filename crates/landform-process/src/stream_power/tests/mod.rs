@@ -20,6 +20,7 @@ use crate::uplift::Uplift;
 mod deposition;
 mod refine;
 mod transient;
+mod valleys;
 
 const U: f64 = 1e-3;
 const K: f64 = 1e-5;
