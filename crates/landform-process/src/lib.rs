@@ -14,4 +14,3 @@ pub mod snow;
 pub mod stream_power;
 pub mod streams;
 pub mod uplift;
-pub mod water;

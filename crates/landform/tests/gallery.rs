@@ -225,6 +225,36 @@ const SMALL: &[(&str, &[&str])] = &[
     ("interior", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("sector_coasts", &["square.cell_size=80 m", "write_picture.size=160"]),
     ("dunes_and_coast", &["flat.cell_size=8 m", "dunes.steps=40", "write_picture.size=160"]),
+    ("two_stage", &["front_terrain.cell_size=40 m", "channel_erosion.iterations=20", "write_picture.size=160"]),
+    ("level_sets", &["front_terrain.cell_size=40 m", "write_picture.size=160"]),
+    ("folds", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("transports", &["surface.cell_size=40 m", "channel_erosion.iterations=10", "write_picture.size=160"]),
+    ("obstacle", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("rain_on_fbm", &["spectral_fbm.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    (
+        "capture",
+        &[
+            "surface.cell_size=20 m",
+            "channel_erosion.iterations=20",
+            "channel_erosion.watch.size=64",
+            "write_picture.size=160",
+        ],
+    ),
+    ("valleys", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("sand_hill", &["surface.cell_size=1 m", "channel_erosion.iterations=20", "write_picture.size=160"]),
+    ("threshold", &["spectral_fbm.cell_size=40 m", "write_picture.size=160"]),
+    ("optimal", &["noise.cell_size=200 m", "write_picture.size=160"]),
+    ("koh_streams", &["midpoint_displacement.cell_size=40 m", "surface.cell_size=40 m", "write_picture.size=160"]),
+    (
+        "lake",
+        &[
+            "surface.cell_size=40 m",
+            "channel_erosion.iterations=40",
+            "channel_erosion.watch.size=64",
+            "write_picture.size=160",
+        ],
+    ),
+    ("confluence", &["surface.cell_size=30 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]

@@ -60,11 +60,8 @@ impl Plate<'_> {
         let or_none = |v: f64| if v.is_nan() { 0.0 } else { v };
         let a = if c > 0 && c + 1 < cols { or_none(u[i + 1] - 2.0 * u[i] + u[i - 1]) } else { 0.0 };
         let b = if r > 0 && r + 1 < rows { or_none(u[i + cols] - 2.0 * u[i] + u[i - cols]) } else { 0.0 };
-        let m = if r + 1 < rows && c + 1 < cols {
-            or_none(u[i + cols + 1] - u[i + 1] - u[i + cols] + u[i])
-        } else {
-            0.0
-        };
+        let m =
+            if r + 1 < rows && c + 1 < cols { or_none(u[i + cols + 1] - u[i + 1] - u[i + cols] + u[i]) } else { 0.0 };
         [a, b, m]
     }
 
@@ -95,8 +92,11 @@ impl Plate<'_> {
             }
             let (r, c) = (i / cols, i % cols);
             let at = |ok: bool, j: usize, k: usize| if ok { parts[j][k] } else { 0.0 };
-            let bent = at(c > 0, i.wrapping_sub(1), 0) - 2.0 * parts[i][0] + at(c + 1 < cols, i + 1, 0)
-                + at(r > 0, i.wrapping_sub(cols), 1) - 2.0 * parts[i][1] + at(r + 1 < rows, i + cols, 1)
+            let bent = at(c > 0, i.wrapping_sub(1), 0) - 2.0 * parts[i][0]
+                + at(c + 1 < cols, i + 1, 0)
+                + at(r > 0, i.wrapping_sub(cols), 1)
+                - 2.0 * parts[i][1]
+                + at(r + 1 < rows, i + cols, 1)
                 + 2.0
                     * (parts[i][2] - at(c > 0, i.wrapping_sub(1), 2) - at(r > 0, i.wrapping_sub(cols), 2)
                         + at(c > 0 && r > 0, i.wrapping_sub(cols + 1), 2));
@@ -120,9 +120,8 @@ impl Plate<'_> {
         let start: Vec<f64> = u.iter().map(|v| if v.is_finite() { *v } else { 0.0 }).collect();
         self.apply(&present, &valid, &start, &mut parts, &mut image);
         // The data are the start, so that only the surface's own forces are out of balance.
-        let mut residual = parallel::map(n, |i| {
-            if self.held[i] || !valid[i] { 0.0 } else { self.weight[i] * start[i] - image[i] }
-        });
+        let mut residual =
+            parallel::map(n, |i| if self.held[i] || !valid[i] { 0.0 } else { self.weight[i] * start[i] - image[i] });
         let norm = |v: &[f64]| parallel::sum(n, |i| v[i] * v[i] / diagonal[i]);
         let mut direction = parallel::map(n, |i| residual[i] / diagonal[i]);
         let (first, mut product, mut steps) = (norm(&residual), norm(&residual), 0);
@@ -149,8 +148,9 @@ mod tests {
     fn relaxed(tension: f64, held: impl Fn(usize, usize) -> bool, f: impl Fn(f64, f64) -> f64) -> (Vec<f64>, Relaxed) {
         let shape = Shape::new(21, 21);
         let held: Vec<bool> = (0..441).map(|i| held(i / 21, i % 21)).collect();
-        let mut u: Vec<f64> =
-            (0..441).map(|i| if held[i] { f((i % 21) as f64, (i / 21) as f64) } else { Seed(1).uniform(i as u64) }).collect();
+        let mut u: Vec<f64> = (0..441)
+            .map(|i| if held[i] { f((i % 21) as f64, (i / 21) as f64) } else { Seed(1).uniform(i as u64) })
+            .collect();
         let plate = Plate { shape, tension, weight: &vec![0.0; 441], held: &held };
         let done = plate.relax(&mut u, 1e-12);
         (u, done)

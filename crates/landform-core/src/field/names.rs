@@ -78,8 +78,7 @@ pub const SHORE_AGE: Key<u32> =
 pub const LEVEL_SET: Key<u32> =
     Key::new("level_set", "1", "number of the historic coast that the place lies within; 0 at sea");
 /// Depth of water.
-pub const WATER_DEPTH: Key<f64> =
-    Key::new("water_depth", "m", "depth of water over the ground, standing and running");
+pub const WATER_DEPTH: Key<f64> = Key::new("water_depth", "m", "depth of water over the ground, standing and running");
 /// Discharge.
 pub const DISCHARGE: Key<f64> = Key::new("discharge", "m3/s", "water that runs through a place");
 /// Units of water that left a cell.

@@ -37,7 +37,7 @@ pub struct WriteFeatures {
     /// Rainfall for discharge, where the landscape has no field of it; all of it runs off.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Rate,
-    /// Width of a river that carries 1 m3/s, m.
+    /// Width of a river that carries 1 m3/s, m, where the depth of the water is not known.
     #[schemars(extend("x-above" = 0.0))]
     pub width_coefficient: f64,
     /// Power of the discharge with which width grows.
@@ -142,6 +142,7 @@ fn river(r: &RiverReach, digits: Digits) -> Json {
         "discharge_m3_s": short(r.discharge),
         "width_m": short(r.width),
         "width_above_m": short(r.width_above),
+        "depth_m": short(r.depth),
         "length_m": short(r.length),
         "elevation_above_m": above,
         "elevation_below_m": below,

@@ -2,14 +2,28 @@
 
 use std::path::Path;
 
-use landform_core::Result;
 use landform_core::terrain::{HeightField, Mesh};
 use landform_core::units::Length;
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::format::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_format};
+use crate::format::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_of_water, mesh_format};
+
+/// Which surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MeshSurface {
+    /// The ground.
+    #[default]
+    Ground,
+    /// The water on it, where its depth is known: a sheet that lies on rivers and lakes.
+    Water,
+}
+
+/// Water shallower than this is left out of its sheet, m.
+const SHALLOWEST: f64 = 0.1;
 
 /// Writes the surface as triangles; the extension says which: glb (y up), obj, ply, stl (z up), metres.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -17,6 +31,8 @@ use crate::format::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, 
 pub struct WriteMesh {
     /// Path below the output folder.
     pub path: String,
+    /// "ground", or "water": the surface of rivers and lakes, on a raster that has a depth of water.
+    pub surface: MeshSurface,
     /// Makes a watertight body, with walls and a floor so far under the lowest point, for printing; the surface alone if not
     /// given.
     #[schemars(extend("x-above" = 0.0))]
@@ -25,7 +41,7 @@ pub struct WriteMesh {
 
 impl Default for WriteMesh {
     fn default() -> Self {
-        Self { path: "terrain.glb".into(), solid_base: None }
+        Self { path: "terrain.glb".into(), surface: MeshSurface::Ground, solid_base: None }
     }
 }
 
@@ -35,6 +51,9 @@ impl Params for WriteMesh {
 
     fn check(&self) -> Result<()> {
         relative_path(&self.path)?;
+        if self.surface == MeshSurface::Water && self.solid_base.is_some() {
+            return Err(Error::parameter("solid_base", "with the water", "no base: water is a sheet"));
+        }
         mesh_format(Path::new(&self.path)).map(drop)
     }
 }
@@ -51,12 +70,25 @@ impl WriteMesh {
 
 impl Export<Mesh> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, Mesh>, out: &mut dyn Output) -> Result<()> {
+        if self.surface == MeshSurface::Water {
+            return Err(Error::parameter(
+                "surface",
+                "\"water\" on a mesh",
+                "\"ground\"; `to_height_field` makes a raster",
+            ));
+        }
         self.write(mesh_file_from_mesh(landscape.terrain), out)
     }
 }
 
 impl Export<HeightField> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
-        self.write(mesh_file_from_height_field(landscape.terrain), out)
+        self.write(
+            match self.surface {
+                MeshSurface::Ground => mesh_file_from_height_field(landscape.terrain),
+                MeshSurface::Water => mesh_file_of_water(landscape.terrain, SHALLOWEST)?,
+            },
+            out,
+        )
     }
 }

@@ -30,7 +30,7 @@ pub struct WritePicture {
     pub ramp: Option<Ramp>,
     /// Map only: logarithmic scale for the field.
     pub logarithmic: Option<bool>,
-    /// Map only: whether rivers and lakes are drawn.
+    /// Whether rivers and lakes are drawn.
     pub water: bool,
     /// Perspective only: compass direction from which the camera looks.
     pub from: Angle,
@@ -118,6 +118,7 @@ impl WritePicture {
                     sun_altitude: self.sun_altitude.si(),
                     exaggeration: self.exaggeration,
                     zoom: self.zoom,
+                    water: self.water,
                     ..View::default()
                 },
             ));

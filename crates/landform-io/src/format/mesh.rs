@@ -2,7 +2,9 @@
 
 use std::collections::HashSet;
 
+use landform_core::field::names;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, mesh_parts_from_height_field};
+use landform_core::{Error, Result};
 
 /// Points and triangles, z up, metres, counter-clockwise seen from above.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,18 +13,36 @@ pub struct MeshFile {
     pub points: Vec<[f64; 3]>,
     /// Triangles.
     pub triangles: Vec<[u32; 3]>,
+    /// Middle of what this is a part of, m, so that parts stored about it fit together; its own middle if none.
+    pub middle: Option<[f64; 2]>,
 }
 
 /// The triangles of a mesh.
 pub fn mesh_file_from_mesh(mesh: &Mesh) -> MeshFile {
     let points = mesh.positions().iter().zip(mesh.elevation()).map(|(p, z)| [p[0], p[1], *z]).collect();
-    MeshFile { points, triangles: mesh.triangles().to_vec() }
+    MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None }
 }
 
 /// Two triangles a cell of a raster; holes stay open.
 pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
     let (points, triangles) = mesh_parts_from_height_field(field);
-    MeshFile { points, triangles }
+    MeshFile { points, triangles, middle: None }
+}
+
+/// The surface of the water on a raster where it is at least `least` deep, by its field of depth.
+///
+/// # Errors
+/// A terrain without that field, or without water.
+pub fn mesh_file_of_water(field: &HeightField, least: f64) -> Result<MeshFile> {
+    let depth = field.fields().get(&names::WATER_DEPTH, "the surface of the water")?;
+    let surface = |i: usize| if depth[i] >= least { field.elevation()[i] + depth[i] } else { f64::NAN };
+    let surface: Vec<f64> = (0..depth.len()).map(surface).collect();
+    if surface.iter().all(|z| z.is_nan()) {
+        return Err(Error::Empty { what: "the water".into() });
+    }
+    let (points, triangles) = mesh_parts_from_height_field(&HeightField::new(field.grid.clone(), surface)?);
+    let [lo, hi] = field.bounds();
+    Ok(MeshFile { points, triangles, middle: Some([0.5 * (lo[0] + hi[0]), 0.5 * (lo[1] + hi[1])]) })
 }
 
 impl MeshFile {
@@ -53,6 +73,9 @@ impl MeshFile {
     /// their centimetres.
     pub(super) fn centre(&self) -> [f64; 3] {
         let mut centre = [0.0; 3];
+        if let Some([x, y]) = self.middle {
+            return [x, y, 0.0];
+        }
         for (k, c) in centre.iter_mut().enumerate().take(2) {
             let axis = || self.points.iter().map(|p| p[k]);
             let (lo, hi) = (axis().fold(f64::INFINITY, f64::min), axis().fold(f64::NEG_INFINITY, f64::max));

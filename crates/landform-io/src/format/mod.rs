@@ -19,7 +19,7 @@ mod table;
 pub use animation::{animation_extension, encode_animation};
 pub(crate) use exr::write_rgb as write_exr_rgb;
 pub use geotiff::{Compression, DataType, GeotiffOptions};
-pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh};
+pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_of_water};
 pub use picture::{encode_png, read_grey};
 pub(crate) use raw16::{STEPS, quantize};
 pub use sidecar::Sidecar;

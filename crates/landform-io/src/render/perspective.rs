@@ -41,6 +41,8 @@ pub struct View {
     pub zoom: f64,
     /// Rays a pixel along each side.
     pub samples: usize,
+    /// Whether rivers and lakes are drawn.
+    pub water: bool,
 }
 
 impl Default for View {
@@ -55,6 +57,7 @@ impl Default for View {
             exaggeration: 1.0,
             zoom: 1.0,
             samples: 2,
+            water: true,
         }
     }
 }
@@ -68,6 +71,8 @@ const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];
 const HAZE: f64 = 0.35;
 /// Steps of the sky's ramp; more would not show in eight bits.
 const SKY_STEPS: usize = 512;
+/// Water is all that one sees where it is so deep, m.
+const CLEAR: f64 = 0.9;
 const ZENITH: u32 = 0x8fb2d6;
 const HORIZON: u32 = 0xe6ebee;
 
@@ -183,13 +188,16 @@ impl Scene {
         let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
         let ground: Vec<f64> =
             field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
-        let depth = water_depth(field, lo, hi);
+        let depth = water_depth(field, lo, hi, view.water);
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i] * view.exaggeration).collect();
         let (low, high) = (lo * view.exaggeration, hi * view.exaggeration);
         let surface_high = surface.iter().copied().fold(high, f64::max);
         let sky = sky_view(grid, &surface);
         let sun = sun_view(grid, &surface, view.sun, view.sun_altitude);
-        let paint = Paint::new(field, (lo, hi), view.exaggeration);
+        let mut paint = Paint::new(field, (lo, hi), view.exaggeration);
+        if !view.water {
+            paint.river.fill(0.0);
+        }
         let skin = parallel::map(ground.len(), |i| {
             let g = gradient(grid, &ground, i);
             let normal = if depth[i] > 0.0 { water_normal(grid, &surface, i) } else { normalize([-g.x, -g.y, 1.0]) };
@@ -363,7 +371,8 @@ impl Scene {
         let facing = (-direction[2]).clamp(0.0, 1.0);
         let mirror = 0.03 + 0.97 * math::pow(1.0 - facing, 5.0);
         let reflected = sky_colour(&self.background, -direction[2]);
-        blend(below, reflected, mirror)
+        // Brooks and shores show the ground through.
+        blend(ground, blend(below, reflected, mirror), math::smoothstep(0.0, CLEAR, skin.water))
     }
 
     /// The cut side of the block: layers of rock.
@@ -395,12 +404,22 @@ fn water_normal(grid: &Grid, surface: &[f64], i: usize) -> Vector {
     normalize([-g.x * most, -g.y * most, 1.0])
 }
 
-/// Depth of lakes and of the sea over each node, m. Sea is what lies below 0 in a land that also rises above it.
-fn water_depth(field: &HeightField, lo: f64, hi: f64) -> Vec<f64> {
+/// Depth of lakes (if `inland`) and of the sea over each node, m. Sea is what lies below 0 in a land that also rises above it.
+fn water_depth(field: &HeightField, lo: f64, hi: f64, inland: bool) -> Vec<f64> {
     let water = waters(field);
     let has_sea = lo < 0.0 && hi > 0.0;
     let z = field.elevation();
-    (0..z.len()).map(|i| if has_sea && z[i] < 0.0 { -z[i] } else { water.lake[i] }).collect()
+    (0..z.len())
+        .map(|i| {
+            if has_sea && z[i] < 0.0 {
+                -z[i]
+            } else if inland {
+                water.lake[i]
+            } else {
+                0.0
+            }
+        })
+        .collect()
 }
 
 /// Colours of the ground: each a pair between which patches vary, in Oklab, so that a node's colour is a few plain means.

@@ -142,7 +142,9 @@ impl Tree {
 
     /// Σ A^γ d.
     pub(super) fn energy(&self) -> f64 {
-        (0..self.area.len()).map(|i| if self.length[i] > 0.0 { self.cost(self.area[i]) * self.length[i] } else { 0.0 }).sum()
+        (0..self.area.len())
+            .map(|i| if self.length[i] > 0.0 { self.cost(self.area[i]) * self.length[i] } else { 0.0 })
+            .sum()
     }
 
     /// The change of energy if `node` drained over a link, and where its two ways down meet; none if that closes a circle.
@@ -246,6 +248,7 @@ impl Tree {
     }
 
     /// Part of all single changes that would lower the energy.
+    #[cfg(test)]
     pub(super) fn gains(&mut self, domain: &RasterDomain) -> f64 {
         let unit = domain.area(0).sqrt();
         let (mut all, mut lower) = (0u64, 0u64);
@@ -266,9 +269,7 @@ impl Tree {
     fn heights(&self, exponent: f64) -> (Vec<f64>, Vec<u32>) {
         // Area grows along the flow, strictly.
         let mut order: Vec<u32> = (0..self.area.len() as u32).collect();
-        parallel::sort_by(&mut order, |&a, &b| {
-            self.area[a as usize].total_cmp(&self.area[b as usize]).then(a.cmp(&b))
-        });
+        parallel::sort_by(&mut order, |&a, &b| self.area[a as usize].total_cmp(&self.area[b as usize]).then(a.cmp(&b)));
         let mut heights = vec![0.0; self.area.len()];
         for &i in order.iter().rev() {
             let (i, r) = (i as usize, self.receiver[i as usize] as usize);

@@ -21,8 +21,12 @@ fn slope(n: usize, seed: u64) -> HeightField {
 
 fn critical(n: usize, seed: u64, rounds: u64) -> HeightField {
     let params = ThresholdErosion { perturbations: rounds, ..ThresholdErosion::default() };
-    let mut sim =
-        Simulation::new(slope(n, seed)).process(params).unwrap().dt(YEAR).seed(Seed(seed)).until(Stop::steps(rounds + 1));
+    let mut sim = Simulation::new(slope(n, seed))
+        .process(params)
+        .unwrap()
+        .dt(YEAR)
+        .seed(Seed(seed))
+        .until(Stop::steps(rounds + 1));
     let outcome = sim.run().unwrap();
     assert!(outcome.budget.imbalance() < 1e-9);
     sim.into_terrain()

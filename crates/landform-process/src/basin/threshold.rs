@@ -25,7 +25,7 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::water::highest_first;
+use crate::mechanism::water::highest_first;
 
 /// What water does in hollows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -127,7 +127,11 @@ impl Process<HeightField> for ThresholdErosion {
                 break;
             }
             if sweep > MOST_SWEEPS {
-                return Err(Error::NotConverged { what: "threshold erosion".into(), iterations: sweep, residual: lowered });
+                return Err(Error::NotConverged {
+                    what: "threshold erosion".into(),
+                    iterations: sweep,
+                    residual: lowered,
+                });
             }
         }
         let status = domain.status();

@@ -8,7 +8,7 @@ use landform_core::parallel;
 use serde::{Deserialize, Serialize};
 
 use super::params::{ChannelErosion, Transport};
-use crate::water::{Ledger, Pipes, Rule, Supply, Sweep};
+use crate::mechanism::water::{Ledger, Pipes, Rule, Supply, Sweep};
 
 /// Water on the ground, between rounds.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -54,7 +54,9 @@ impl Water {
         (rate, sinks, dt): (&[f64], &[bool], f64),
     ) -> Ledger {
         let (ledger, now) = match params.transport {
-            Transport::Columns => self.sweep(Rule::Columns { depth: params.river_depth.si() }, params, domain, ground, (rate, sinks, dt)),
+            Transport::Columns => {
+                self.sweep(Rule::Columns { depth: params.river_depth.si() }, params, domain, ground, (rate, sinks, dt))
+            }
             Transport::Average => self.sweep(Rule::Average, params, domain, ground, (rate, sinks, dt)),
             Transport::WeightedAverage => self.sweep(Rule::Weighted, params, domain, ground, (rate, sinks, dt)),
             Transport::Pipes => self.flood(params, domain, ground, (rate, sinks)),
@@ -101,12 +103,8 @@ impl Water {
         for _ in 0..params.pipe_steps {
             let dt = pipes.max_step(&self.depth).min(60.0);
             parallel::fill(&mut depth, |i| rate[i] * faster * dt);
-            let supply = Supply {
-                depth: &depth,
-                total: sum * faster * dt,
-                evaporation: params.evaporation.si() * dt,
-                sinks,
-            };
+            let supply =
+                Supply { depth: &depth, total: sum * faster * dt, evaporation: params.evaporation.si() * dt, sinks };
             let part = pipes.step(domain, ground, &supply, dt, &mut self.depth);
             ledger.entered += part.entered;
             ledger.left += part.left;

@@ -1,7 +1,7 @@
 //! Channels cut by water, with width, and lakes that break through.
 //!
 //! # Model
-//! Each round a year of rain runs down ([`crate::water`]). What passes a node cuts it ([`wear`]); a river also gnaws what lies uphill beside
+//! Each round a year of rain runs down ([`crate::mechanism::water`]). What passes a node cuts it ([`wear`]); a river also gnaws what lies uphill beside
 //! it ([`banks`]), so that large ones get wide and take in what runs near them. Hollows fill, spill, and are drained as their outlets are
 //! cut, with no rule of their own.
 //!
@@ -91,7 +91,11 @@ impl Process<HeightField> for ChannelErosion {
         let domain = terrain.domain();
         let rate = self.supply(terrain, &domain, context)?;
         if !(parallel::sum(rate.len(), |i| rate[i]) > 0.0) {
-            return Err(Error::parameter("rainfall", "no water at all", "rain, a spring or an inflow somewhere inside"));
+            return Err(Error::parameter(
+                "rainfall",
+                "no water at all",
+                "rain, a spring or an inflow somewhere inside",
+            ));
         }
         let sinks = match &self.swallow {
             Some(map) => {
@@ -199,7 +203,8 @@ impl ChannelErosion {
             let node = grid.node_at(at).filter(|&i| status[i] == INTERIOR);
             let Some(node) = node else {
                 let [[w, s], [e, n]] = terrain.bounds();
-                let inside = format!("a place inside the map ({w:.0} to {e:.0} m, {s:.0} to {n:.0} m), not on its open border");
+                let inside =
+                    format!("a place inside the map ({w:.0} to {e:.0} m, {s:.0} to {n:.0} m), not on its open border");
                 return Err(Error::parameter("springs", format!("one at {:.0}, {:.0} m", at[0], at[1]), &inside));
             };
             rate[node] += spring.discharge.si() / area;

@@ -1,9 +1,7 @@
 //! The words of channel erosion.
 
 use landform_core::grid::Side;
-use landform_core::units::{
-    Discharge, Length, Rate, RateDimension, RatioDimension, Ratio,
-};
+use landform_core::units::{Discharge, Length, Rate, RateDimension, Ratio, RatioDimension};
 use landform_core::verb::{Outlets, Params, Source, Varying};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;

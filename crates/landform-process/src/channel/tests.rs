@@ -16,8 +16,7 @@ fn field(rows: usize, cols: usize, cell: f64, edges: Edges, f: impl Fn(f64, f64)
 }
 
 fn run(terrain: HeightField, params: ChannelErosion, rounds: u64) -> HeightField {
-    let mut sim =
-        Simulation::new(terrain).process(params).unwrap().dt(YEAR).seed(Seed(2)).until(Stop::steps(rounds));
+    let mut sim = Simulation::new(terrain).process(params).unwrap().dt(YEAR).seed(Seed(2)).until(Stop::steps(rounds));
     let outcome = sim.run().unwrap();
     assert!(outcome.budget.imbalance() < 1e-10 && outcome.budget.sediment_imbalance() < 1e-10, "{outcome:?}");
     sim.into_terrain()
@@ -31,13 +30,9 @@ fn ramp(n: usize) -> HeightField {
 
 #[test]
 fn water_only_lowers_the_ground_and_never_below_its_lowest_neighbour() {
-    for transport in [
-        Transport::Columns,
-        Transport::Average,
-        Transport::WeightedAverage,
-        Transport::Pipes,
-        Transport::AreaMap,
-    ] {
+    for transport in
+        [Transport::Columns, Transport::Average, Transport::WeightedAverage, Transport::Pipes, Transport::AreaMap]
+    {
         let before = ramp(64);
         let params = ChannelErosion { transport, base_weight: 0.0, ..ChannelErosion::default() };
         let after = run(before.clone(), params, 10);
@@ -78,7 +73,8 @@ fn fewer_and_wider_channels_reach_the_foot() {
         // Effective number: 1 / sum of squared shares.
         total * total / row.iter().map(|v| v * v).sum::<f64>()
     };
-    let params = ChannelErosion { rainfall: landform_core::units::Rate::of(1000.0).into(), ..ChannelErosion::default() };
+    let params =
+        ChannelErosion { rainfall: landform_core::units::Rate::of(1000.0).into(), ..ChannelErosion::default() };
     let count = |rounds| threads(&run(ramp(128), params.clone(), rounds));
     let (early, late) = (count(2), count(80));
     assert!(late < 0.75 * early, "{early} {late}");
@@ -93,8 +89,7 @@ fn rivers_widen_with_the_root_of_their_water() {
         1.0 * (n as f64 - y) + 0.4 * (x - 80.0).abs() + 4.0 * Seed(9).uniform((y * 999.0 + x) as u64)
     });
     let t = run(start, ChannelErosion { channel_radius: Some(Length::of(80.0)), ..ChannelErosion::default() }, 150);
-    let (q, depth) =
-        (t.fields().get(&names::DISCHARGE, "").unwrap(), t.fields().get(&names::WATER_DEPTH, "").unwrap());
+    let (q, depth) = (t.fields().get(&names::DISCHARGE, "").unwrap(), t.fields().get(&names::WATER_DEPTH, "").unwrap());
     // Across the main river, row by row: what is wet beside its deepest place, at least a third as deep.
     let points: Vec<(f64, f64)> = (30..n - 10)
         .map(|row| {

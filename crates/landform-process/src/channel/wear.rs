@@ -18,8 +18,8 @@
 //! the checkerboard (8/3 for one of height 1), so explicit or not it would grow.
 
 use landform_core::algo::derivative::quadratic;
-use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, RasterDomain};
 use landform_core::grid::Grid;
+use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, RasterDomain};
 use landform_core::verb::Resolved;
 use landform_core::{math, parallel};
 
@@ -121,7 +121,12 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
         let floor = g.lowest(i);
         // Standing water slows the flow as it deepens it; its pull on the ground goes with the square of its speed.
         let still = g.standing[i];
-        let brisk = if still > 0.0 { let d = g.river.depth(g.flow[i]); (d / (d + still)) * (d / (d + still)) } else { 1.0 };
+        let brisk = if still > 0.0 {
+            let d = g.river.depth(g.flow[i]);
+            (d / (d + still)) * (d / (d + still))
+        } else {
+            1.0
+        };
         let slope = if z > floor && weights.advection > 0.0 {
             let q = quadratic(g.grid, &surface, i);
             (q.p * q.p + q.q * q.q).sqrt()

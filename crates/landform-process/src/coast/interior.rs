@@ -103,4 +103,3 @@ impl Edit<HeightField> for IslandInterior {
         Ok(())
     }
 }
-

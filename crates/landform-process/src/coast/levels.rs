@@ -35,8 +35,7 @@ impl Gnawing {
     pub(super) fn levels(&self, grid: &Grid, land: &[bool], seed: Seed) -> Result<Vec<u32>> {
         let material = (0..land.len()).map(|i| seed.uniform(i as u64)).collect();
         let radius = self.weakening.map(|w| w.radius.si());
-        let mut front =
-            Front::new(grid, land.to_vec(), material, (self.exposure, self.perimeter), radius, None)?;
+        let mut front = Front::new(grid, land.to_vec(), material, (self.exposure, self.perimeter), radius, None)?;
         let sites = RasterSites::new(grid, Connectivity::Four)?;
         let amount = self.weakening.map_or(0.0, |w| w.amount);
         // Steps from the last level set, in cells, of what fell since then.
@@ -83,4 +82,3 @@ impl Gnawing {
         Ok(levels)
     }
 }
-

@@ -15,7 +15,7 @@
 
 use landform_core::grid::{BASE_LEVEL, Domain, MASKED};
 use landform_core::terrain::NodeSurface;
-use landform_core::units::{Angle, AngleDimension, Length, YEAR};
+use landform_core::units::{Angle, AngleDimension, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Params, Process, Resolved, Source, Step, Varying};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
@@ -32,17 +32,14 @@ pub struct ThermalErosion {
     /// Steepest slope that the ground stands at; may vary in space.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Varying<AngleDimension>,
-    /// Rounds.
+    /// Rounds of slip, where there is no clock.
     #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
     pub iterations: u64,
-    /// Ends when no node moved by more than this in a round.
-    #[schemars(extend("x-min" = 0.0))]
-    pub rest: Length,
 }
 
 impl Default for ThermalErosion {
     fn default() -> Self {
-        Self { talus_angle: Angle::of(34.0).into(), iterations: 200, rest: Length::of(1e-6) }
+        Self { talus_angle: Angle::of(34.0).into(), iterations: 200 }
     }
 }
 
@@ -55,11 +52,10 @@ impl Params for ThermalErosion {
     }];
 }
 
-/// Tangents of the angle, and whether all is at rest.
+/// The angle on the nodes.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
     angle: Resolved,
-    rests: bool,
 }
 
 impl<T: NodeSurface> Process<T> for ThermalErosion {
@@ -76,11 +72,7 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
         if let Some(i) = parallel::find_first(n, |i| !(angle.at(i) > 0.0 && angle.at(i) < 1.55)) {
             return Err(Error::parameter("talus_angle", format!("out of range at node {i}"), "0 to 85 deg everywhere"));
         }
-        Ok(State { angle, rests: false })
-    }
-
-    fn is_at_rest(&self, _: &T, state: &State) -> bool {
-        state.rests
+        Ok(State { angle })
     }
 
     fn step(&self, terrain: &mut T, state: &mut State, _: &Step) -> Result<Change> {
@@ -102,13 +94,11 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
         let volume = |sign: f64| parallel::sum(z.len(), |i| if is_held(i) { 0.0 } else { (sign * gain[i]).max(0.0) });
         let (eroded, deposited) = (volume(-1.0), volume(1.0));
         let rise = |i: usize| if is_held(i) { 0.0 } else { gain[i] / domain.area(i) };
-        let most = parallel::max(z.len(), |i| if status[i] == MASKED { 0.0 } else { rise(i).abs() });
         parallel::update(terrain.elevation_mut(), |i, z| {
             if status[i] != MASKED {
                 *z += rise(i);
             }
         });
-        state.rests = most <= self.rest.si();
         Ok(Change { eroded, deposited, exported, ..Change::default() })
     }
 }
@@ -130,7 +120,8 @@ mod tests {
             z[r * 41 + c] = 30.0;
         }
         let field = HeightField::new(grid, z).unwrap();
-        let mut sim = Simulation::new(field).process(ThermalErosion::default()).unwrap().dt(YEAR).until(Stop::steps(20_000));
+        let mut sim =
+            Simulation::new(field).process(ThermalErosion::default()).unwrap().dt(YEAR).until(Stop::steps(20_000));
         let outcome = sim.run().unwrap();
         assert!(outcome.budget.imbalance() < 1e-10 && outcome.budget.sediment_imbalance() < 1e-10);
         let z = sim.terrain().elevation();

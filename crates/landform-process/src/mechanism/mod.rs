@@ -2,6 +2,7 @@
 
 mod drainage;
 mod radius;
+pub mod water;
 pub mod wind;
 
 pub use drainage::{leave_drainage, leave_steepness};

@@ -122,7 +122,11 @@ impl Params for StreamPower {
             return Err(Error::parameter("talus_relaxation", "given alone", "together with talus_angle"));
         }
         if self.threshold > 0.0 && self.deposition > 0.0 {
-            return Err(Error::parameter("threshold", self.threshold, "0 with `deposition`: the two are not solved together"));
+            return Err(Error::parameter(
+                "threshold",
+                self.threshold,
+                "0 with `deposition`: the two are not solved together",
+            ));
         }
         self.outlets.as_ref().map_or(Ok(()), Outlets::check)
     }

@@ -71,11 +71,8 @@ impl Default for StreamAutomaton {
 
 impl Params for StreamAutomaton {
     const NAME: &'static str = "stream_automaton";
-    const SOURCES: &'static [Source] = &[Source {
-        authors: "Koh (2002)",
-        title: "Simulating landscape effects with cellular automata",
-        doi: "",
-    }];
+    const SOURCES: &'static [Source] =
+        &[Source { authors: "Koh (2002)", title: "Simulating landscape effects with cellular automata", doi: "" }];
 
     fn check(&self) -> Result<()> {
         if !self.flood && self.springs.is_empty() {
@@ -149,7 +146,8 @@ impl StreamAutomaton {
             // Everyone looks before anyone moves.
             let moves: Vec<Option<(usize, f64)>> = parallel::map(wet.len(), |k| {
                 let i = wet[k];
-                let lowest = domain.neighbours(i).min_by(|a, b| z[a.to].total_cmp(&z[b.to]).then(a.slot.cmp(&b.slot)))?;
+                let lowest =
+                    domain.neighbours(i).min_by(|a, b| z[a.to].total_cmp(&z[b.to]).then(a.slot.cmp(&b.slot)))?;
                 let drop = z[i] - z[lowest.to];
                 let unit = self.unit.si() * state.softness.at(i) * water[i];
                 (drop > 0.0).then(|| (lowest.to, unit.min(0.5 * drop)))

@@ -24,12 +24,19 @@ pub struct Lake {
     pub shore: Polygon,
 }
 
+/// Water whose surface differs by less from node to node is one lake, m.
+const LEVEL: f64 = 1e-6;
+
 /// The lakes of a raster that are somewhere deeper than `least_depth` (m) and cover at least `least_area` (m²), the largest
 /// first. **Cost** O(cells).
 pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth: f64, least_area: f64) -> Vec<Lake> {
     let z = field.elevation();
-    let level = &drainage.level;
-    let label = label_regions(field.grid.shape, |i| level[i] > z[i], |i, j| level[i] == level[j]);
+    let known: Option<Vec<f64>> =
+        drainage.known_depth.as_ref().map(|depth| depth.iter().zip(z).map(|(d, z)| z + d).collect());
+    let level = known.as_ref().unwrap_or(&drainage.level);
+    // Surfaces that a process left are level but for rounding; those of rivers slope.
+    let even = if known.is_some() { LEVEL } else { 0.0 };
+    let label = label_regions(field.grid.shape, |i| level[i] > z[i], |i, j| (level[i] - level[j]).abs() <= even);
     let rings = outlines(field.grid.shape, &label);
     let cell = field.grid.cell_area();
     let empty =

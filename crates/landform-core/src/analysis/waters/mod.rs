@@ -33,11 +33,13 @@ pub struct Drainage<D> {
     pub level: Vec<f64>,
     /// Level of the sea, m, if there is one.
     pub sea_level: Option<f64>,
+    /// Depth of water as a process left it, m, if one did; hollows need not be full then.
+    pub known_depth: Option<Vec<f64>>,
 }
 
 impl<D: Domain> Drainage<D> {
     /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given; `rainfall` (m/s) holds
-    /// where the terrain has no field of it. **Cost** O(n).
+    /// where the terrain has no field of it. Discharge and depth of water that a process left are taken as they are. **Cost** O(n).
     pub fn of<T: NodeSurface<Domain = D>>(terrain: &T, sea_level: Option<f64>, rainfall: f64) -> Self {
         let mut domain = terrain.domain();
         if let Some(level) = sea_level {
@@ -50,10 +52,15 @@ impl<D: Domain> Drainage<D> {
             Err(_) => parallel::map(area.len(), |i| area[i] * rainfall),
         };
         flow.route(&*domain, terrain.elevation(), &mut area);
-        for &i in flow.order() {
-            let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
-            if r != i {
-                discharge[r] += discharge[i];
+        match terrain.fields().get(&names::DISCHARGE, "rivers") {
+            Ok(known) => discharge.copy_from_slice(known),
+            Err(_) => {
+                for &i in flow.order() {
+                    let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
+                    if r != i {
+                        discharge[r] += discharge[i];
+                    }
+                }
             }
         }
         let mut level = flow.water_level(terrain.elevation());
@@ -61,7 +68,8 @@ impl<D: Domain> Drainage<D> {
         if let Some(sea) = sea_level {
             fill_inland_water(terrain, &*domain, sea, &mut level);
         }
-        Self { domain, flow, area, discharge, level, sea_level }
+        let known_depth = terrain.fields().get(&names::WATER_DEPTH, "rivers").ok().map(<[f64]>::to_vec);
+        Self { domain, flow, area, discharge, level, sea_level, known_depth }
     }
 }
 

@@ -1,7 +1,8 @@
 //! Rivers as lines.
 //!
 //! # Sources
-//! Moody & Troutman (2002) for the width of rivers, w = 7.2 Q^0.5 (m, m³/s).
+//! Moody & Troutman (2002) for the width and depth of rivers, w = 7.2 Q^0.50, d = 0.27 Q^0.39 (m, m³/s), where the water itself is not there
+//! to be measured.
 
 use super::Drainage;
 use crate::algo::network::reaches;
@@ -43,6 +44,8 @@ pub struct RiverReach {
     pub width: f64,
     /// Width at the upper end, m.
     pub width_above: f64,
+    /// Depth at the lower end, m.
+    pub depth: f64,
     /// Length on the map, m.
     pub length: f64,
     /// Whether it ends at a base level rather than in another reach or in a closed hollow.
@@ -62,7 +65,12 @@ pub fn rivers<T: NodeSurface>(
 ) -> Vec<RiverReach> {
     let list = reaches(&drainage.flow, &drainage.area, least);
     let status = drainage.domain.status();
-    let width_of = |i: usize| width.coefficient * math::pow(drainage.discharge[i], width.exponent);
+    let law = |i: usize| width.coefficient * math::pow(drainage.discharge[i], width.exponent);
+    let width_of = |i: usize| wet_width(terrain, drainage, i).unwrap_or_else(|| law(i));
+    let depth_of = |i: usize| match &drainage.known_depth {
+        Some(depth) => depth[i],
+        None => 0.27 * math::pow(drainage.discharge[i], 0.39),
+    };
     let name = |k: usize| (list[k].river, list[k].number);
     list.iter()
         .map(|reach| {
@@ -79,6 +87,7 @@ pub fn rivers<T: NodeSurface>(
                 discharge: drainage.discharge[last],
                 width: width_of(last),
                 width_above: width_of(first),
+                depth: depth_of(last),
                 length,
                 leaves: reach.to.is_none() && status[end] == BASE_LEVEL,
                 points,
@@ -86,6 +95,44 @@ pub fn rivers<T: NodeSurface>(
             }
         })
         .collect()
+}
+
+/// Beside a river it is dry where the water is less than this part as deep.
+const DRY: f64 = 0.33;
+/// Rivers are not looked at farther than so many nodes from their thread.
+const WIDEST: usize = 64;
+
+/// Width of the water at a node, by the nearest dry one; none where depths are not known.
+fn wet_width<T: NodeSurface>(terrain: &T, drainage: &Drainage<T::Domain>, node: usize) -> Option<f64> {
+    let depth = drainage.known_depth.as_ref()?;
+    let (at, least) = (terrain.position(node), DRY * depth[node]);
+    let away = |j: usize| {
+        let [x, y] = terrain.position(j);
+        ((x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])).sqrt()
+    };
+    let cell = drainage.domain.area(node).sqrt();
+    let (mut seen, mut ring) = (std::collections::HashSet::from([node]), vec![node]);
+    let mut nearest = f64::INFINITY;
+    for _ in 0..WIDEST {
+        let mut next = Vec::new();
+        for &i in &ring {
+            for link in drainage.domain.neighbours(i) {
+                if seen.insert(link.to) {
+                    if depth[link.to] < least {
+                        nearest = nearest.min(away(link.to));
+                    } else {
+                        next.push(link.to);
+                    }
+                }
+            }
+        }
+        // Another ring lies farther out; diagonal steps may still be a little nearer.
+        if next.is_empty() || nearest < ring.iter().map(|&i| away(i)).fold(f64::INFINITY, f64::min) {
+            break;
+        }
+        ring = next;
+    }
+    nearest.is_finite().then(|| (2.0 * nearest - cell).max(cell))
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

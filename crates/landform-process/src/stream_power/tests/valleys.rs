@@ -10,8 +10,7 @@ fn strip(index: f64, rows: usize, cols: usize, times: f64, steps: u64) -> Vec<f6
     let (length, d) = (100.0, 0.01);
     let dx = length / (rows - 1) as f64;
     let mut grid = Grid::new(Shape::new(rows, cols), [dx; 2]).unwrap();
-    grid.edges =
-        Edges { south: Edge::Open, north: Edge::Closed, east: Edge::Periodic, west: Edge::Periodic };
+    grid.edges = Edges { south: Edge::Open, north: Edge::Closed, east: Edge::Periodic, west: Edge::Periodic };
     let z = (0..grid.len()).map(|i| if i / cols == rows - 1 { 0.0 } else { 0.1 * Seed(7).uniform(i as u64) });
     let terrain = HeightField::new(grid.clone(), z.collect()).unwrap();
     // C_I = K l^(m + n) / (D^n U^(1 - n)), m = 1/2, n = 1, l the ridge's whole width.

@@ -82,7 +82,8 @@ fn hollows_fill_to_the_level_of_priority_flood() {
 #[test]
 fn a_paraboloid_holds_the_water_that_its_volume_says() {
     // WC2: V = pi l^2 R^2 / 2 for level l in z = l r^2 / R^2.
-    let (domain, z) = ground(Edge::Closed, 201, 201, |x, y| 0.01 * (math::pow(x - 100.0, 2.0) + math::pow(y - 100.0, 2.0)));
+    let (domain, z) =
+        ground(Edge::Closed, 201, 201, |x, y| 0.01 * (math::pow(x - 100.0, 2.0) + math::pow(y - 100.0, 2.0)));
     for rule in RULES {
         let mut water = vec![0.0; z.len()];
         let volume = 20_000.0;

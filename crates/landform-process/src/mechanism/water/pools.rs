@@ -159,7 +159,7 @@ impl Pools {
                 pool.volume += amount;
                 return None;
             }
-            let Some((height, node)) = next else { return None };
+            let (height, node) = next?;
             amount -= room;
             pool.volume += room;
             pool.level = pool.level.max(height);
@@ -214,9 +214,8 @@ impl Pools {
         let mut taken = std::mem::take(&mut self.pools[other as usize]);
         self.joined[other as usize] = id;
         let pool = &mut self.pools[id as usize];
-        // Equal but for rounding; the volume is what counts.
-        let (a, b) = (pool.nodes.len() as f64, taken.nodes.len() as f64);
-        pool.level = (pool.level * a + taken.level * b) / (a + b);
+        // Equal but for rounding; the higher one, or water would run in a circle over the pass between them.
+        pool.level = pool.level.max(taken.level);
         pool.volume += taken.volume;
         pool.nodes.append(&mut taken.nodes);
         pool.rim.append(&mut taken.rim);

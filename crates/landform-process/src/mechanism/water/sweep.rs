@@ -107,13 +107,7 @@ impl Sweep {
     }
 
     /// One round: `standing` is the depth of standing water before, and after.
-    pub fn round(
-        &mut self,
-        domain: &RasterDomain,
-        ground: &[f64],
-        supply: &Supply,
-        standing: &mut [f64],
-    ) -> Ledger {
+    pub fn round(&mut self, domain: &RasterDomain, ground: &[f64], supply: &Supply, standing: &mut [f64]) -> Ledger {
         let n = ground.len();
         self.sites.clear();
         self.sites.extend(ground.iter().zip(supply.depth).map(|(&ground, &water)| Site { ground, water }));
@@ -137,7 +131,7 @@ impl Sweep {
         for (pit, water) in left {
             match self.pools.at(pit as usize) {
                 DRY => self.new_pool(&over, pit as usize, water),
-                pool => self.into_pool(pool, water),
+                pool => self.send_to_pool(pool, water),
             }
             self.run_off(&over);
         }
@@ -212,7 +206,7 @@ impl Sweep {
         } else if pool != DRY {
             // Level ground that a pool has already flooded.
             if water > 0.0 {
-                self.into_pool(pool, water + held.remove(&(i as u32)).unwrap_or(0.0));
+                self.send_to_pool(pool, water + held.remove(&(i as u32)).unwrap_or(0.0));
                 self.run_off(over);
             }
         } else if water > 0.0 && !self.drops(over, i, water) {
@@ -269,28 +263,32 @@ impl Sweep {
         lower.share(self.rule, over.ground[i], (self.sites[i].water.abs() / over.supply.total).min(1.0));
         for (j, share) in lower.shares() {
             let amount = water * share;
+            if amount == 0.0 {
+                // Divided until nothing was left: it must not wake anyone.
+                continue;
+            }
             if !self.sites[j].is_passed() {
                 self.sites[j].water += amount;
                 continue;
             }
             match self.pools.at(j) {
-                DRY => self.into_node(over, j, amount),
+                DRY => self.send_to_node(over, j, amount),
                 pool => {
                     self.sites[j].water -= amount;
-                    self.into_pool(pool, amount);
+                    self.send_to_pool(pool, amount);
                 }
             }
         }
     }
 
-    fn into_node(&mut self, over: &Over, node: usize, amount: f64) {
+    fn send_to_node(&mut self, over: &Over, node: usize, amount: f64) {
         if self.late[node] == 0.0 {
             self.queue.push((Height(over.ground[node]), Late::Node(node as u32)));
         }
         self.late[node] += amount;
     }
 
-    fn into_pool(&mut self, pool: u32, amount: f64) {
+    fn send_to_pool(&mut self, pool: u32, amount: f64) {
         let waiting = self.inflow[pool as usize];
         if waiting == 0.0 {
             self.queue.push((Height(self.pools.level(pool)), Late::Pool(pool)));
@@ -301,7 +299,7 @@ impl Sweep {
     fn new_pool(&mut self, over: &Over, pit: usize, amount: f64) {
         let pool = self.pools.begin(over.domain, over.ground, pit);
         self.inflow.push(0.0);
-        self.into_pool(pool, amount);
+        self.send_to_pool(pool, amount);
     }
 
     /// Fills pools and lets run on what leaves them, the highest first, until all waits for nodes that the sweep has yet to reach.
@@ -318,7 +316,7 @@ impl Sweep {
                     }
                     let pool = self.pools.at(i);
                     if pool != DRY {
-                        self.into_pool(pool, water);
+                        self.send_to_pool(pool, water);
                         continue;
                     }
                     let lower = self.lower(over, i);
@@ -346,7 +344,7 @@ impl Sweep {
             self.sites[exit].water += water;
             return;
         }
-        self.into_node(over, exit, water);
+        self.send_to_node(over, exit, water);
     }
 }
 
@@ -367,7 +365,13 @@ fn look_around(domain: &RasterDomain, ground: &[f64], glance: &mut [Glance]) {
                 let z = at(k);
                 // Nodata is NaN, which is never lower.
                 let is_lowest = z < least;
-                second = if is_lowest { least } else if z < second { z } else { second };
+                second = if is_lowest {
+                    least
+                } else if z < second {
+                    z
+                } else {
+                    second
+                };
                 lowest = if is_lowest { k as u8 } else { lowest };
                 least = if is_lowest { z } else { least };
             }

@@ -60,7 +60,7 @@ impl Ledger {
 }
 
 /// Nodes from the highest to the lowest, to within 2⁻³² of the relief; NaN is left out.
-pub(crate) fn highest_first(height: &[f64]) -> Vec<usize> {
+pub fn highest_first(height: &[f64]) -> Vec<usize> {
     order::HighestFirst::default().sort(height).iter().map(|key| *key as u32 as usize).collect()
 }
 

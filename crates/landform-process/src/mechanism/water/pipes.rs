@@ -78,7 +78,8 @@ impl Pipes {
         dt: f64,
         water: &mut [f64],
     ) -> Ledger {
-        let mut ledger = Ledger { entered: supply.total, before: parallel::sum(water.len(), |i| water[i]), ..Ledger::default() };
+        let mut ledger =
+            Ledger { entered: supply.total, before: parallel::sum(water.len(), |i| water[i]), ..Ledger::default() };
         let status = domain.status();
         parallel::update(water, |i, w| *w += if status[i] == MASKED { 0.0 } else { supply.depth[i] });
         if supply.evaporation > 0.0 {
@@ -156,8 +157,7 @@ impl Pipes {
             for col in 0..cols {
                 let i = row * cols + col;
                 let before = if row > 0 { (old_south[i - cols], water[i - cols]) } else { (0.0, 0.0) };
-                let after =
-                    if row + 2 < rows { (old_south[i + cols], water[i + 2 * cols]) } else { (0.0, 0.0) };
+                let after = if row + 2 < rows { (old_south[i + cols], water[i + 2 * cols]) } else { (0.0, 0.0) };
                 (speeds[col], volumes[col]) = pipe(i, i + cols, old_south[i], before, after, dy, dx);
             }
         });
