@@ -2,7 +2,7 @@
 //!
 //! # Model
 //! Each round a year of rain runs down ([`crate::mechanism::water`]). What passes a node cuts it ([`wear`]); a river also gnaws what lies uphill beside
-//! it ([`banks`]), so that large ones get wide and take in what runs near them. Hollows fill, spill, and are drained as their outlets are
+//! it ([`mod@banks`]), so that large ones get wide and take in what runs near them. Hollows fill, spill, and are drained as their outlets are
 //! cut, with no rule of their own.
 //!
 //! # Method
