@@ -26,7 +26,7 @@ pub fn mesh_file_from_mesh(mesh: &Mesh) -> MeshFile {
 /// Two triangles a cell of a raster; holes stay open.
 pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
     let (points, triangles) = mesh_parts_from_height_field(field);
-    MeshFile { points, triangles, middle: None }
+    MeshFile { points, triangles, middle: Some(middle(field)) }
 }
 
 /// The surface of the water on a raster where it is at least `least` deep, by its field of depth.
@@ -41,8 +41,15 @@ pub fn mesh_file_of_water(field: &HeightField, least: f64) -> Result<MeshFile> {
         return Err(Error::Empty { what: "the water".into() });
     }
     let (points, triangles) = mesh_parts_from_height_field(&HeightField::new(field.grid.clone(), surface)?);
+    if triangles.is_empty() {
+        return Err(Error::Empty { what: "the sheet of water: it is nowhere two nodes wide".into() });
+    }
+    Ok(MeshFile { points, triangles, middle: Some(middle(field)) })
+}
+
+fn middle(field: &HeightField) -> [f64; 2] {
     let [lo, hi] = field.bounds();
-    Ok(MeshFile { points, triangles, middle: Some([0.5 * (lo[0] + hi[0]), 0.5 * (lo[1] + hi[1])]) })
+    [0.5 * (lo[0] + hi[0]), 0.5 * (lo[1] + hi[1])]
 }
 
 impl MeshFile {

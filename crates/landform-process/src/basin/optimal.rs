@@ -110,8 +110,8 @@ pub(super) struct Tree {
     pub(super) area: Vec<f64>,
     exponent: f64,
     /// Last try in which a node was on the new way down.
-    stamp: Vec<u32>,
-    tries: u32,
+    stamp: Vec<u64>,
+    tries: u64,
 }
 
 impl Tree {
@@ -149,7 +149,7 @@ impl Tree {
 
     /// The change of energy if `node` drained over a link, and where its two ways down meet; none if that closes a circle.
     pub(super) fn change(&mut self, node: usize, link: Link, unit: f64) -> Option<(f64, usize)> {
-        self.tries = self.tries.wrapping_add(1);
+        self.tries += 1;
         let mut at = link.to;
         loop {
             if at == node {
@@ -208,7 +208,8 @@ impl Tree {
 
     /// Tries so many changes per node, ever colder.
     pub(super) fn search(&mut self, domain: &RasterDomain, sweeps: u64, temperature: f64, seed: Seed) {
-        let inner: Vec<usize> = (0..self.area.len()).filter(|&i| domain.status()[i] == INTERIOR).collect();
+        let has_choice = |i: &usize| domain.status()[*i] == INTERIOR && domain.neighbours(*i).next().is_some();
+        let inner: Vec<usize> = (0..self.area.len()).filter(has_choice).collect();
         if inner.is_empty() {
             return;
         }

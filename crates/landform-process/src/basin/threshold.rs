@@ -123,7 +123,7 @@ impl Process<HeightField> for ThresholdErosion {
             amount = self.route(&domain, terrain.elevation(), &mut state.flow);
             let lowered = self.wear(&domain, &state.flow, &amount, terrain.elevation_mut());
             eroded += lowered;
-            if lowered == 0.0 || at.cancel.is_cancelled() {
+            if lowered == 0.0 {
                 break;
             }
             if sweep > MOST_SWEEPS {

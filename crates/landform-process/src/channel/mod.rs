@@ -9,19 +9,19 @@
 //! Water, then wear, on the ground as the water found it. Rounds are not years of erosion: how much a round cuts is in the weights. Flow is
 //! that of the last rounds, each half as much as the next, so that threads which change places in a wide bed cut all of it.
 //!
-//! **Cost** a round of a million nodes 0.2 s on two cores.
+//! **Cost** the water of a round on a million nodes, a quarter of them under lakes, takes 0.16 s; wear is a fixed number of passes.
 //!
 //! Open borders are cut like any place, unless outlets are chosen, which are held: the ground beyond is taken to fall as steeply as the map
 //! does on the whole, down to its lowest elevation at the start.
 //!
 //! # Limits
-//! What is cut leaves the map, unless `sediment` is given. Water does not seep, and lakes do not freeze.
+//! What is cut leaves the map: no fans, no deltas. Water does not seep, and lakes do not freeze.
 //!
 //! # Sources
 //! Pytel (2015), 4.3; each part tells its own.
 //!
 //! # Checked by
-//! `tests`: never up without sediment, lakes that break through, capture, width against flow, spectra of fBm, threads.
+//! `tests`: never up (with smoothing in channels only), lakes that break through, capture, width against flow, threads.
 
 mod banks;
 mod engine;
@@ -42,7 +42,7 @@ use serde::{Deserialize, Serialize};
 
 use banks::{Bank, River, banks};
 use engine::Water;
-pub use params::{ChannelErosion, Inflow, Sediment, Smoothing, Spring, Transport};
+pub use params::{ChannelErosion, Inflow, Smoothing, Spring, Transport};
 use wear::{Ground, Weights, uplift, worn};
 
 use crate::mechanism::within_map;
@@ -82,6 +82,14 @@ impl Process<HeightField> for ChannelErosion {
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
+        let edges = terrain.grid.edges;
+        if self.transport == Transport::Pipes && (edges.wraps_cols() || edges.wraps_rows()) {
+            return Err(Error::parameter(
+                "transport",
+                "\"pipes\" on a map without ends",
+                "another, or sides that are not periodic",
+            ));
+        }
         if let Some(radius) = self.channel_radius {
             within_map("channel_radius", radius, &terrain.grid)?;
         }
@@ -115,7 +123,7 @@ impl Process<HeightField> for ChannelErosion {
             rate,
             sinks,
             softness,
-            scratch: Scratch { domain: Some(domain), banks: Vec::new() },
+            scratch: Scratch::default(),
         })
     }
 
@@ -142,6 +150,8 @@ impl Process<HeightField> for ChannelErosion {
             beyond: *beyond,
         };
         let new = worn(&ground, &weights);
+        // Lakes keep their surface over the ground that was cut under them.
+        let surface = parallel::map(rate.len(), |i| if still[i] > 0.0 { ground.z[i] + still[i] } else { f64::NAN });
         let area = terrain.grid.cell_area();
         let status = domain.status();
         let is_inner = |i: usize| status[i] == INTERIOR;
@@ -158,7 +168,7 @@ impl Process<HeightField> for ChannelErosion {
                 *z = if is_inner(i) { new[i] + raised } else { new[i] };
             }
         });
-        self.leave_water(terrain, state);
+        self.leave_water(terrain, state, &surface);
         Ok(Change {
             supplied: raised * inner * area,
             eroded,
@@ -194,8 +204,9 @@ impl ChannelErosion {
     fn supply(&self, terrain: &HeightField, domain: &RasterDomain, context: &Context) -> Result<Vec<f64>> {
         let rain = self.rainfall.resolve("rainfall", terrain, context)?;
         let (grid, status, area) = (&terrain.grid, domain.status(), terrain.grid.cell_area());
-        if let Some(i) = parallel::find_first(status.len(), |i| rain.at(i) < 0.0) {
-            return Err(Error::parameter("rainfall", format!("negative at node {i}"), "at least 0 everywhere"));
+        if let Some(i) = parallel::find_first(status.len(), |i| status[i] != MASKED && !(rain.at(i) >= 0.0)) {
+            let value = format!("{} m/s at node {i}", rain.at(i));
+            return Err(Error::parameter("rainfall", value, "at least 0 everywhere"));
         }
         let mut rate = parallel::map(status.len(), |i| if status[i] == MASKED { 0.0 } else { rain.at(i) });
         for spring in &self.springs {
@@ -223,7 +234,7 @@ impl ChannelErosion {
     }
 
     /// Leaves depth and discharge of the water as fields.
-    fn leave_water(&self, terrain: &mut HeightField, state: &State) {
+    fn leave_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) {
         let State { water, rate, scratch, .. } = state;
         let z = terrain.elevation();
         let area = terrain.grid.cell_area();
@@ -233,6 +244,9 @@ impl ChannelErosion {
         let depth = parallel::map(z.len(), |i| {
             if z[i].is_nan() || is_real {
                 return water.depth[i];
+            }
+            if surface[i] > z[i] {
+                return surface[i] - z[i];
             }
             let bank = &scratch.banks[i];
             let beside = (bank.stage - z[i]).clamp(0.0, bank.depth);

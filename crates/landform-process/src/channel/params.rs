@@ -55,22 +55,6 @@ pub struct Inflow {
     pub discharge: Discharge,
 }
 
-/// Rivers that lay down again what they carry.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Sediment {
-    /// What a river carries on a slope of 1, as part of its water.
-    pub capacity: f64,
-    /// Distance over which what is too much for a river settles.
-    pub settling: Length,
-}
-
-impl Default for Sediment {
-    fn default() -> Self {
-        Self { capacity: 0.1, settling: Length::of(50.0) }
-    }
-}
-
 /// Water runs down, gathers in channels and cuts them, the wider the more it is; lakes fill, spill and are drained as their outlets are cut.
 /// Leaves the water on the ground. Runs without a clock, one round a year of rain.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -131,9 +115,8 @@ pub struct ChannelErosion {
     /// bed.
     #[schemars(extend("x-above" = 0.0))]
     pub river_depth: Length,
-    /// Rivers lay down what they cannot carry; all leaves the map if not given.
-    pub sediment: Option<Sediment>,
-    /// Pipes only: rain of the flood that cuts, relative to which `rainfall` only says where it falls.
+    /// Pipes only: rain of the flood that cuts, if its water fell everywhere; `rainfall`, springs and inflow then only say in what shares
+    /// it comes where.
     #[schemars(extend("x-above" = 0.0))]
     pub storm: Rate,
     /// Pipes only: steps of water between rounds of erosion.
@@ -167,7 +150,6 @@ impl Default for ChannelErosion {
             channel_radius: None,
             width_exponent: 0.5,
             river_depth: Length::of(2.0),
-            sediment: None,
             storm: Rate::from_si(0.03 / 3600.0),
             pipe_steps: 20,
             roughness: Ratio::of(0.04),
@@ -196,16 +178,13 @@ impl Params for ChannelErosion {
     ];
 
     fn check(&self) -> Result<()> {
-        if let Some(s) = self.sediment {
-            if !(s.capacity >= 0.0 && s.capacity.is_finite()) {
-                return Err(Error::parameter("sediment", s.capacity, "a capacity of at least 0"));
-            }
-            if !(s.settling.si() > 0.0) {
-                return Err(Error::parameter("sediment", s.settling, "settling over > 0 m"));
-            }
-            if matches!(self.transport, Transport::AreaMap | Transport::Average | Transport::WeightedAverage) {
-                return Err(Error::parameter("sediment", "with this transport", "transport \"columns\" or \"pipes\""));
-            }
+        if self.transport == Transport::AreaMap && (self.swallow.is_some() || self.evaporation.si() > 0.0) {
+            let value = if self.swallow.is_some() { "swallow" } else { "evaporation" };
+            return Err(Error::parameter(
+                "transport",
+                format!("\"area_map\" with `{value}`"),
+                "another: an area map has no water to lose",
+            ));
         }
         if self.springs.iter().any(|s| !(s.discharge.si() > 0.0)) {
             return Err(Error::parameter("springs", "without water", "a discharge > 0 m3/s"));

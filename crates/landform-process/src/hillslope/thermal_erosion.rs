@@ -23,6 +23,8 @@ use serde::{Deserialize, Serialize};
 
 /// Part of the excess that moves over a link in a round.
 const PART: f64 = 0.125;
+/// 85 degrees.
+const STEEPEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
 
 /// Loose ground slips where it is steeper than its talus angle, and comes to rest below. Runs without a clock, or beside other processes, a
 /// round each step.
@@ -68,8 +70,9 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
         let angle = self.talus_angle.resolve("talus_angle", terrain, context)?;
-        let n = terrain.elevation().len();
-        if let Some(i) = parallel::find_first(n, |i| !(angle.at(i) > 0.0 && angle.at(i) < 1.55)) {
+        let z = terrain.elevation();
+        let is_wrong = |i: usize| !(z[i].is_nan() || angle.at(i) > 0.0 && angle.at(i) <= STEEPEST);
+        if let Some(i) = parallel::find_first(z.len(), is_wrong) {
             return Err(Error::parameter("talus_angle", format!("out of range at node {i}"), "0 to 85 deg everywhere"));
         }
         Ok(State { angle })

@@ -16,7 +16,7 @@
 //! Koh (2002), 5.1, figures 9 to 13 (the softness map).
 //!
 //! # Checked by
-//! `tests`: passes end, removed volume is unit times moves, softness scales it, no drilling.
+//! `tests`: passes end, removed volume is unit times moves (where half a drop is more), softness scales it, no drilling.
 
 #[cfg(test)]
 mod tests;
@@ -75,8 +75,12 @@ impl Params for StreamAutomaton {
         &[Source { authors: "Koh (2002)", title: "Simulating landscape effects with cellular automata", doi: "" }];
 
     fn check(&self) -> Result<()> {
-        if !self.flood && self.springs.is_empty() {
-            return Err(Error::parameter("flood", "false, without springs", "true, or some springs"));
+        if !self.flood && (self.springs.is_empty() || self.spring_steps == 0) {
+            return Err(Error::parameter(
+                "flood",
+                "false, without springs that run",
+                "true, or springs and `spring_steps`",
+            ));
         }
         Ok(())
     }
@@ -113,9 +117,9 @@ impl Process<HeightField> for StreamAutomaton {
         Ok(State { softness, springs, moves: vec![0.0; terrain.grid.len()] })
     }
 
-    fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
+    fn step(&self, terrain: &mut HeightField, state: &mut State, _: &Step) -> Result<Change> {
         let domain = terrain.domain();
-        let eroded = self.pass(&domain, terrain.elevation_mut(), state, at) * terrain.grid.cell_area();
+        let eroded = self.pass(&domain, terrain.elevation_mut(), state) * terrain.grid.cell_area();
         terrain.fields_mut().insert(&names::STREAM_VISITS, state.moves.clone());
         Ok(Change { eroded, exported: eroded, ..Change::default() })
     }
@@ -123,7 +127,7 @@ impl Process<HeightField> for StreamAutomaton {
 
 impl StreamAutomaton {
     /// One flooding; the sum of heights taken.
-    fn pass(&self, domain: &RasterDomain, z: &mut [f64], state: &mut State, at: &Step) -> f64 {
+    fn pass(&self, domain: &RasterDomain, z: &mut [f64], state: &mut State) -> f64 {
         let status = domain.status();
         let mut water: Vec<f64> =
             (0..z.len()).map(|i| f64::from(u8::from(self.flood && status[i] == INTERIOR))).collect();
@@ -138,9 +142,6 @@ impl StreamAutomaton {
                     water[i] = if self.counted { water[i] + 1.0 } else { 1.0 };
                 }
             } else if wet.is_empty() {
-                break;
-            }
-            if at.cancel.is_cancelled() {
                 break;
             }
             // Everyone looks before anyone moves.

@@ -26,6 +26,8 @@ pub struct Lake {
 
 /// Water whose surface differs by less from node to node is one lake, m.
 const LEVEL: f64 = 1e-6;
+/// Known water no deeper than this is a film that runs, m.
+const SHALLOW: f64 = 0.01;
 
 /// The lakes of a raster that are somewhere deeper than `least_depth` (m) and cover at least `least_area` (m²), the largest
 /// first. **Cost** O(cells).
@@ -35,8 +37,10 @@ pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth
         drainage.known_depth.as_ref().map(|depth| depth.iter().zip(z).map(|(d, z)| z + d).collect());
     let level = known.as_ref().unwrap_or(&drainage.level);
     // Surfaces that a process left are level but for rounding; those of rivers slope.
+    let shallow = if known.is_some() { SHALLOW } else { 0.0 };
     let even = if known.is_some() { LEVEL } else { 0.0 };
-    let label = label_regions(field.grid.shape, |i| level[i] > z[i], |i, j| (level[i] - level[j]).abs() <= even);
+    let label =
+        label_regions(field.grid.shape, |i| level[i] > z[i] + shallow, |i, j| (level[i] - level[j]).abs() <= even);
     let rings = outlines(field.grid.shape, &label);
     let cell = field.grid.cell_area();
     let empty =
@@ -52,7 +56,7 @@ pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth
         let r = drainage.flow.receivers()[i] as usize;
         if r == i {
             lake.discharge += drainage.discharge[i];
-        } else if label[r] != label[i] {
+        } else if label[r] != label[i] && level[i] >= drainage.level[i] - LEVEL {
             lake.outlet = Some(field.grid.position(r));
             lake.discharge = drainage.discharge[i];
         }

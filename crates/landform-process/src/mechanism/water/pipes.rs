@@ -111,7 +111,7 @@ impl Pipes {
             let (wi, wj) = (water[i], water[j]);
             let (hi, hj) = (ground[i] + wi, ground[j] + wj);
             let height = hi.max(hj) - ground[i].max(ground[j]);
-            if !(height > THIN) {
+            if !(height > THIN) || ground[i].is_nan() || ground[j].is_nan() {
                 return (0.0, 0.0);
             }
             // Momentum comes with the flow into the nodes at both ends, from upstream; implicit, since a thin front takes it up at once.

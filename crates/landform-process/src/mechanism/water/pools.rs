@@ -12,7 +12,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use landform_core::grid::{BASE_LEVEL, Domain, RasterDomain};
+use landform_core::grid::{Domain, RasterDomain};
 
 /// No pool, or no node.
 pub(super) const DRY: u32 = u32::MAX;
@@ -135,6 +135,7 @@ impl Pools {
         &mut self,
         domain: &RasterDomain,
         ground: &[f64],
+        is_end: impl Fn(usize) -> bool,
         id: u32,
         mut amount: f64,
     ) -> Option<(usize, f64)> {
@@ -164,16 +165,16 @@ impl Pools {
             pool.volume += room;
             pool.level = pool.level.max(height);
             pool.rim.pop();
-            self.reach(domain, ground, id, node);
+            self.reach(domain, ground, &is_end, id, node);
         }
     }
 
     /// A rising pool has reached a node of its rim: it is flooded, or the way out.
-    fn reach(&mut self, domain: &RasterDomain, ground: &[f64], id: u32, node: usize) {
+    fn reach(&mut self, domain: &RasterDomain, ground: &[f64], is_end: &impl Fn(usize) -> bool, id: u32, node: usize) {
         let level = self.pools[id as usize].level;
         let from = domain.neighbours(node).find(|l| self.at(l.to) == id).map_or(node, |l| l.to) as u32;
         let exit = Some(Exit { node: node as u32, from });
-        if domain.status()[node] == BASE_LEVEL {
+        if is_end(node) {
             self.pools[id as usize].exit = exit;
             return;
         }
@@ -217,6 +218,7 @@ impl Pools {
         // Equal but for rounding; the higher one, or water would run in a circle over the pass between them.
         pool.level = pool.level.max(taken.level);
         pool.volume += taken.volume;
+        pool.spilled = pool.spilled.max(taken.spilled);
         pool.nodes.append(&mut taken.nodes);
         pool.rim.append(&mut taken.rim);
         if let Some(exit) = taken.exit {

@@ -110,7 +110,9 @@ impl Sweep {
     pub fn round(&mut self, domain: &RasterDomain, ground: &[f64], supply: &Supply, standing: &mut [f64]) -> Ledger {
         let n = ground.len();
         self.sites.clear();
-        self.sites.extend(ground.iter().zip(supply.depth).map(|(&ground, &water)| Site { ground, water }));
+        self.sites.extend(
+            ground.iter().zip(supply.depth).map(|(&ground, &water)| Site { ground, water: water.max(0.0) + 0.0 }),
+        );
         self.left = 0.0;
         self.late.resize(n, 0.0);
         self.inflow.clear();
@@ -130,6 +132,7 @@ impl Sweep {
         left.sort_by_key(|h| h.0);
         for (pit, water) in left {
             match self.pools.at(pit as usize) {
+                _ if over.is_end(pit as usize) => self.left += water,
                 DRY => self.new_pool(&over, pit as usize, water),
                 pool => self.send_to_pool(pool, water),
             }
@@ -329,7 +332,9 @@ impl Sweep {
                 Late::Pool(pool) => {
                     let water = std::mem::take(&mut self.inflow[pool as usize]);
                     let pool = self.pools.root(pool);
-                    if let Some((exit, more)) = self.pools.pour(over.domain, over.ground, pool, water) {
+                    if let Some((exit, more)) =
+                        self.pools.pour(over.domain, over.ground, |i| over.is_end(i), pool, water)
+                    {
                         self.leave_by(over, exit, more);
                     }
                 }
