@@ -255,6 +255,8 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     ("confluence", &["surface.cell_size=30 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("fans", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("delta", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]

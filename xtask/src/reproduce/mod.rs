@@ -2,6 +2,7 @@
 
 mod bell;
 mod pytel;
+mod rivers;
 mod self_organised;
 
 use std::path::Path;
@@ -13,7 +14,9 @@ const THESES: &[(&str, &str)] = &[
     ("pytel", "Pytel's figures of synthesis and analysis: docs/pytel/README.md"),
     ("pytel-dunes", "Pytel's dunes: docs/pytel/dunes.md"),
     ("pytel-coasts", "Pytel's coasts: docs/pytel/coasts.md"),
+    ("pytel-rivers", "Pytel's rivers and two-stage terrains: docs/pytel/rivers.md"),
     ("koh-dunes", "Koh's dunes: docs/koh/README.md"),
+    ("koh-streams", "Koh's streams: docs/koh/streams.md"),
 ];
 
 /// Runs, in a release build whatever this one is.
@@ -36,6 +39,8 @@ pub(crate) fn run(which: &[String]) -> bool {
             "pytel" => pytel::run(&root),
             "pytel-dunes" => self_organised::run(&root, &self_organised::PYTEL_DUNES),
             "pytel-coasts" => self_organised::run(&root, &self_organised::PYTEL_COASTS),
+            "pytel-rivers" => self_organised::run(&root, &rivers::PYTEL_RIVERS),
+            "koh-streams" => self_organised::run(&root, &rivers::KOH_STREAMS),
             _ => self_organised::run(&root, &self_organised::KOH_DUNES),
         };
         if let Err(e) = done {

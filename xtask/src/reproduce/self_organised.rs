@@ -1,4 +1,4 @@
-//! Dunes and coasts of two theses: the recipes' own pictures and measures, beside the theses' numbers.
+//! Pages of the docs from recipes: their own pictures and measures, beside the theses' numbers. Here: dunes and coasts.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -13,20 +13,27 @@ use serde_json::Value as Json;
 
 /// A page of the docs.
 pub(super) struct Page {
-    folder: &'static str,
-    file: &'static str,
-    head: &'static str,
-    figures: &'static [Figure],
+    pub(super) folder: &'static str,
+    pub(super) file: &'static str,
+    pub(super) head: &'static str,
+    pub(super) figures: &'static [Figure],
+    /// What is measured beside the figures, as text.
+    pub(super) tail: fn() -> Result<String>,
 }
 
 /// A recipe and those of its pictures (and measures of the same name) that are shown.
-struct Figure {
-    title: &'static str,
-    recipe: &'static str,
-    pictures: &'static [&'static str],
-    /// Measures that belong to the pictures, where their names differ.
-    measures: &'static [&'static str],
-    what: &'static str,
+pub(super) struct Figure {
+    pub(super) title: &'static str,
+    pub(super) recipe: &'static str,
+    pub(super) pictures: &'static [&'static str],
+    /// Measures that belong to the pictures, where their names differ; several to a picture are joined by "+".
+    pub(super) measures: &'static [&'static str],
+    pub(super) what: &'static str,
+}
+
+/// No tail.
+pub(super) fn nothing() -> Result<String> {
+    Ok(String::new())
 }
 
 pub(super) const PYTEL_DUNES: Page = Page {
@@ -50,6 +57,7 @@ them). That protection makes steeper dunes in fewer rounds is as the thesis says
         Figure { title: "Linear dunes", recipe: "linear_dunes", pictures: &["linear"], measures: &["dunes"], what: "Two winds about a resultant." },
         Figure { title: "Star dunes", recipe: "star_dunes", pictures: &["star"], measures: &["dunes"], what: "Winds from three sides." },
     ],
+    tail: nothing,
 };
 
 pub(super) const PYTEL_COASTS: Page = Page {
@@ -73,6 +81,7 @@ included, on one thread of the machine that wrote the page, one run; the thesis'
         Figure { title: "Figures B.4 and B.6, table B.1: sectors", recipe: "sector_coasts", pictures: &["from_square", "from_disc"], measures: &["from_square", "from_disc"], what: "512 x 512 sites, 4 x 4 sectors." },
         Figure { title: "Dunes on a fretted island", recipe: "dunes_and_coast", pictures: &["dunes"], measures: &[], what: "Two processes after one another." },
     ],
+    tail: nothing,
 };
 
 pub(super) const KOH_DUNES: Page = Page {
@@ -88,6 +97,7 @@ wins it back within 10 m, slabs are a tenth of a cell, sand slips at 33 degrees.
         Figure { title: "Figures 14b, 15 and 16: wind, dunes from above, dunes from aside", recipe: "koh_dunes", pictures: &["wind", "koh", "koh_low"], measures: &["dunes"], what: "300 rounds; the view is three times as high as wide." },
         Figure { title: "Figure 14a: sand and obstacles", recipe: "rocks", pictures: &["rocks"], measures: &[], what: "By Werner's rules: rocks are hard ground." },
     ],
+    tail: nothing,
 };
 
 pub(super) fn run(root: &Path, page: &Page) -> Result<()> {
@@ -99,6 +109,7 @@ pub(super) fn run(root: &Path, page: &Page) -> Result<()> {
         println!("{part}");
         text += &part;
     }
+    text += &(page.tail)()?;
     write_whole(&folder.join(page.file), text.as_bytes())
 }
 
@@ -126,8 +137,13 @@ impl Figure {
         if !self.measures.is_empty() {
             page += "\n|";
             for name in self.measures {
-                let json: Json = serde_json::from_slice(&out.0[&format!("{name}.json")]).unwrap_or_default();
-                write!(page, " {} |", numbers(&json)).ok();
+                let of = |name: &str| {
+                    let json =
+                        out.0.get(&format!("{name}.json")).map(|b| serde_json::from_slice(b).unwrap_or_default());
+                    numbers(&json.unwrap_or(Json::Null))
+                };
+                let all: Vec<String> = name.split('+').filter(|n| !n.is_empty()).map(of).collect();
+                write!(page, " {} |", all.join("<br>")).ok();
             }
         }
         Ok(page + "\n\n")
@@ -136,6 +152,22 @@ impl Figure {
 
 fn numbers(m: &Json) -> String {
     let v = |key: &str| m[key].as_f64().unwrap_or(f64::NAN);
+    let at = |path: &str| m.pointer(path).and_then(Json::as_f64).unwrap_or(f64::NAN);
+    if m["integral"].is_number() {
+        let class = m["class"].as_str().unwrap_or("–");
+        return format!("hypsometric integral {:.2}, skew {:.2}: {class}", v("integral"), v("elevation_skew"));
+    }
+    if m["spectrum"].is_object() {
+        let (long, short) = (at("/spectrum/long_waves/exponent"), at("/spectrum/short_waves/exponent"));
+        return format!("spectrum falls by k^-{long:.2} at long waves, k^-{short:.2} at short ones");
+    }
+    if m["scaling"].is_object() {
+        let (beta, h) = (at("/scaling/area_exponent"), at("/scaling/hack_exponent"));
+        return format!("areas β {beta:.2}, Hack h {h:.2}, slope–area {:.2}", at("/slope_area/concavity"));
+    }
+    if m["bending_energy"].is_number() {
+        return format!("bending energy {:.0}", v("bending_energy"));
+    }
     if m["class"].is_string() {
         let error = |key: &str| m["shadow"][key].as_f64().map(|v| 100.0 * v);
         let shadow = match (error("all"), error("flanks")) {

@@ -1,6 +1,7 @@
 //! Measures without parameters of their own.
 
 use landform_core::Result;
+use landform_core::algo::thin_plate::bending_energy;
 use landform_core::analysis::{
     Drainage, Form, Hypsometry, Network, Spectrum, Surface, Transects, Variogram, form_of, hypsometry, network,
     spectrum, surface, transects, variogram,
@@ -136,12 +137,15 @@ pub struct SurfaceMeasured {
     pub surface: Option<Surface>,
     /// Pits, peaks, sinks.
     pub form: Form,
+    /// Half the integral over the map of z_xx² + 2 z_xy² + z_yy²: what a thin plate of this shape holds (without unit).
+    pub bending_energy: f64,
 }
 
 measure!(
-    /// Measures the surface: slopes, directions, curvature, relief, pits, peaks and sinks.
+    /// Measures the surface: slopes, directions, curvature, relief, pits, peaks and sinks, bending energy.
     MeasureSurface, "measure_surface", "surface.json", [HORN, EVANS], SurfaceMeasured, |raster| SurfaceMeasured {
         surface: surface(&raster.grid, raster.elevation()),
         form: form_of(&raster.grid, &raster.domain(), raster.elevation()),
+        bending_energy: bending_energy(raster.grid.shape, raster.elevation()) / raster.grid.cell_area(),
     }
 );

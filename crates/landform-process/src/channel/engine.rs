@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use landform_core::algo::flow::{Flow, node_areas};
-use landform_core::grid::{Domain, RasterDomain};
+use landform_core::grid::{BASE_LEVEL, Domain, RasterDomain};
 use landform_core::parallel;
 use serde::{Deserialize, Serialize};
 
 use super::params::{ChannelErosion, Transport};
+use super::ways::{Piped, Swept, Ways};
 use crate::mechanism::water::{Ledger, Pipes, Rule, Supply, Sweep};
 
 /// Water on the ground, between rounds.
@@ -39,8 +40,8 @@ impl Water {
         Self {
             flow: vec![0.0; depth.len()],
             pipes: (params.transport == Transport::Pipes).then_some(pipes),
-            depth,
             rounds: 0,
+            depth,
             scratch: Scratch::default(),
         }
     }
@@ -68,6 +69,15 @@ impl Water {
         ledger
     }
 
+    /// The ways of the last round over the ground that it ran on; none for area maps.
+    pub(super) fn ways<'a>(&'a self, domain: &'a RasterDomain, ground: &'a [f64]) -> Option<Box<dyn Ways + 'a>> {
+        if let Some(pipes) = &self.pipes {
+            return Some(Box::new(Piped::new(pipes, domain, ground)));
+        }
+        let sweep = self.scratch.sweep.as_ref()?;
+        Some(Box::new(Swept { sweep, domain, ground }))
+    }
+
     fn sweep(
         &mut self,
         rule: Rule,
@@ -93,29 +103,28 @@ impl Water {
         (rate, sinks): (&[f64], &[bool]),
     ) -> (Ledger, Vec<f64>) {
         let Some(pipes) = &mut self.pipes else { return (Ledger::default(), vec![0.0; ground.len()]) };
+        let status = domain.status();
         let sum = parallel::sum(rate.len(), |i| rate[i]);
         let wet = parallel::sum(rate.len(), |i| f64::from(u8::from(!ground[i].is_nan())));
         // The storm brings as much in all as if it fell everywhere, wherever the rain falls.
         let faster = params.storm.si() * wet / sum;
+        let depth = parallel::map(rate.len(), |i| rate[i] * faster);
+        let supply = Supply { depth: &depth, total: sum * faster, evaporation: params.evaporation.si(), sinks };
+        let is_end = |i: &usize| status[*i] == BASE_LEVEL || sinks.get(*i).copied().unwrap_or(false);
+        let ends: Vec<u32> = (0..status.len()).filter(is_end).map(|i| i as u32).collect();
         let mut ledger = Ledger { before: parallel::sum(ground.len(), |i| self.depth[i]), ..Ledger::default() };
-        let mut mean = vec![0.0; ground.len()];
-        let mut depth = vec![0.0; ground.len()];
+        pipes.begin_sums();
         for _ in 0..params.pipe_steps {
             let dt = pipes.max_step(&self.depth).min(60.0);
-            parallel::fill(&mut depth, |i| rate[i] * faster * dt);
-            let supply =
-                Supply { depth: &depth, total: sum * faster * dt, evaporation: params.evaporation.si() * dt, sinks };
-            let part = pipes.step(domain, ground, &supply, dt, &mut self.depth);
+            let part = pipes.step(domain, ground, (&supply, &ends), dt, &mut self.depth);
             ledger.entered += part.entered;
             ledger.left += part.left;
             ledger.evaporated += part.evaporated;
-            ledger.stored = part.stored;
-            let through = pipes.discharge();
-            parallel::update(&mut mean, |i, m| *m += through[i]);
         }
-        let area = domain.area(0);
-        let whole = sum * faster * area * f64::from(params.pipe_steps);
-        (ledger, parallel::map(mean.len(), |i| (mean[i] / whole).min(1.0)))
+        ledger.stored = parallel::sum(ground.len(), |i| self.depth[i]);
+        let through = pipes.net_discharge(domain);
+        let whole = sum * faster * domain.area(0);
+        (ledger, parallel::map(through.len(), |i| (through[i] / whole).min(1.0)))
     }
 
     fn route(&mut self, domain: &RasterDomain, ground: &[f64], rate: &[f64]) -> (Ledger, Vec<f64>) {

@@ -15,7 +15,7 @@
 //! does on the whole, down to its lowest elevation at the start.
 //!
 //! # Limits
-//! What is cut leaves the map: no fans, no deltas. Water does not seep, and lakes do not freeze.
+//! Water does not seep, and lakes do not freeze.
 //!
 //! # Sources
 //! Pytel (2015), 4.3; each part tells its own.
@@ -26,8 +26,10 @@
 mod banks;
 mod engine;
 mod params;
+mod sediment;
 #[cfg(test)]
 mod tests;
+mod ways;
 mod wear;
 
 use std::sync::Arc;
@@ -43,6 +45,7 @@ use serde::{Deserialize, Serialize};
 use banks::{Bank, River, banks};
 use engine::Water;
 pub use params::{ChannelErosion, Inflow, Smoothing, Spring, Transport};
+use sediment::Sediment;
 use wear::{Ground, Weights, uplift, worn};
 
 use crate::mechanism::within_map;
@@ -63,6 +66,8 @@ pub struct State {
     bottom: f64,
     /// Slope of the ground beyond the open border; none where base levels are held.
     beyond: Option<f64>,
+    /// What is carried; none if all that is cut leaves the map.
+    sediment: Option<Sediment>,
     #[serde(skip)]
     scratch: Scratch,
 }
@@ -123,20 +128,22 @@ impl Process<HeightField> for ChannelErosion {
             rate,
             sinks,
             softness,
+            sediment: Sediment::of(self, &terrain.grid),
             scratch: Scratch::default(),
         })
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
-        let State { water, rate, sinks, softness, bottom, beyond, scratch } = state;
+        let State { water, rate, sinks, softness, bottom, beyond, sediment, scratch } = state;
         let domain = scratch.domain.get_or_insert_with(|| terrain.domain()).clone();
+        let carried_before = sediment.as_ref().map_or(0.0, Sediment::under_way);
         let ledger = water.round(self, &domain, terrain.elevation(), (rate, sinks, at.dt));
         debug_assert!(ledger.imbalance() < 1e-9, "{ledger:?}");
         let river = self.river(&terrain.grid);
         let none = vec![0.0; rate.len()];
         let still = if self.transport == Transport::Pipes { &none } else { &water.depth };
         banks(&terrain.grid, terrain.elevation(), &water.flow, still, &river, &mut scratch.banks);
-        let weights = self.weights();
+        let (weights, area) = (self.weights(), terrain.grid.cell_area());
         let ground = Ground {
             grid: &terrain.grid,
             domain: &domain,
@@ -149,10 +156,13 @@ impl Process<HeightField> for ChannelErosion {
             bottom: *bottom,
             beyond: *beyond,
         };
-        let new = worn(&ground, &weights);
+        let mut new = worn(&ground, &weights);
+        let exported = sediment
+            .as_mut()
+            .and_then(|s| Some((s, water.ways(&domain, ground.z)?)))
+            .map(|(s, ways)| s.carry(&ground, &*ways, sinks, &mut new) * area);
         // Lakes keep their surface over the ground that was cut under them.
         let surface = parallel::map(rate.len(), |i| if still[i] > 0.0 { ground.z[i] + still[i] } else { f64::NAN });
-        let area = terrain.grid.cell_area();
         let status = domain.status();
         let is_inner = |i: usize| status[i] == INTERIOR;
         let old = terrain.elevation();
@@ -168,12 +178,14 @@ impl Process<HeightField> for ChannelErosion {
                 *z = if is_inner(i) { new[i] + raised } else { new[i] };
             }
         });
+        let carried = state.sediment.as_ref().map_or(0.0, |s| (s.under_way() - carried_before) * area);
         self.leave_water(terrain, state, &surface);
         Ok(Change {
             supplied: raised * inner * area,
             eroded,
             deposited,
-            exported: eroded - deposited,
+            exported: exported.unwrap_or(eroded - deposited),
+            carried,
             raised,
             ..Change::default()
         })

@@ -115,6 +115,13 @@ pub struct ChannelErosion {
     /// bed.
     #[schemars(extend("x-above" = 0.0))]
     pub river_depth: Length,
+    /// Slope at which rivers carry on all that the land above them sheds. Where they fall less steeply they lay it down as fans, deltas and
+    /// floodplains. If not given, all that is cut leaves the map.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 10.0))]
+    pub graded_slope: Option<Ratio>,
+    /// Distance over which sediment that is too much settles; a 50th of the longer side if not given.
+    #[schemars(extend("x-above" = 0.0))]
+    pub settling_length: Option<Length>,
     /// Pipes only: rain of the flood that cuts, if its water fell everywhere; `rainfall`, springs and inflow then only say in what shares
     /// it comes where.
     #[schemars(extend("x-above" = 0.0))]
@@ -150,6 +157,8 @@ impl Default for ChannelErosion {
             channel_radius: None,
             width_exponent: 0.5,
             river_depth: Length::of(2.0),
+            graded_slope: None,
+            settling_length: None,
             storm: Rate::from_si(0.03 / 3600.0),
             pipe_steps: 20,
             roughness: Ratio::of(0.04),
@@ -185,6 +194,13 @@ impl Params for ChannelErosion {
                 format!("\"area_map\" with `{value}`"),
                 "another: an area map has no water to lose",
             ));
+        }
+        if self.transport == Transport::AreaMap && self.graded_slope.is_some() {
+            let allowed = "another: an area map has no water to carry sediment";
+            return Err(Error::parameter("transport", "\"area_map\" with `graded_slope`", allowed));
+        }
+        if self.settling_length.is_some() && self.graded_slope.is_none() {
+            return Err(Error::parameter("settling_length", "given alone", "together with graded_slope"));
         }
         if self.springs.iter().any(|s| !(s.discharge.si() > 0.0)) {
             return Err(Error::parameter("springs", "without water", "a discharge > 0 m3/s"));

@@ -115,3 +115,52 @@ fn any_number_of_threads_gives_the_same_bytes() {
         assert!(one.elevation().iter().zip(two.elevation()).all(|(a, b)| a.to_bits() == b.to_bits()));
     }
 }
+
+/// Mountains in the north over a plain with a hollow.
+fn front(n: usize) -> HeightField {
+    let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+    let (rows, middle) = (n as f64, n as f64 / 4.0);
+    field(n, n / 2, 10.0, edges, |x, y| {
+        let up = rows - y;
+        let valleys = 0.4 + 0.6 * math::sin(std::f64::consts::PI * x / middle).abs();
+        let mountains = 4.0 * (up - 0.6 * rows).clamp(0.0, 0.2 * rows) * valleys + 0.1 * up;
+        let r = math::hypot(x - middle, up - 0.4 * rows);
+        mountains - 0.4 * (8.0 - r).max(0.0) + 0.1 * Seed(8).uniform((y * 999.0 + x) as u64)
+    })
+}
+
+#[test]
+fn what_mountains_shed_is_laid_down_at_their_foot_and_lakes_fill() {
+    for transport in [Transport::Columns, Transport::WeightedAverage, Transport::Pipes] {
+        let (n, before) = (96, front(96));
+        let bare = ChannelErosion { transport, outlets: None, ..ChannelErosion::default() };
+        let laden = ChannelErosion { graded_slope: Some(landform_core::units::Ratio::of(0.1)), ..bare.clone() };
+        let (cut, laid) = (run(before.clone(), bare, 40), run(before.clone(), laden, 40));
+        let mean_change = |t: &HeightField, rows: std::ops::Range<usize>| {
+            let nodes = rows.start * n / 2..rows.end * n / 2;
+            let count = nodes.len() as f64;
+            nodes.map(|i| t.elevation()[i] - before.elevation()[i]).sum::<f64>() / count
+        };
+        // The foot of the mountains is at row 0.4 n.
+        let foot = (n * 4 / 10)..(n * 5 / 10);
+        assert!(mean_change(&cut, foot.clone()) < 0.0, "{transport:?}");
+        assert!(mean_change(&laid, foot) > 0.5, "{transport:?}");
+        let pit = (n - n * 4 / 10) * n / 2 + n / 4;
+        assert!(laid.elevation()[pit] > before.elevation()[pit] + 1.0, "{transport:?}: the hollow fills");
+        // Nothing is raised above what was there, but by what a river may raise its bed.
+        let highest = before.elevation().iter().copied().fold(0.0, f64::max);
+        assert!(laid.elevation().iter().all(|&z| z <= highest + 1.0), "{transport:?}");
+    }
+}
+
+#[test]
+fn a_fan_falls_gently_away_from_its_mouth() {
+    let params =
+        ChannelErosion { graded_slope: Some(landform_core::units::Ratio::of(0.08)), ..ChannelErosion::default() };
+    let after = run(front(96), params, 80);
+    let row = |r: usize| after.elevation()[r * 48..(r + 1) * 48].iter().sum::<f64>() / 48.0;
+    // Slopes of the plain between the foot and the hollow's end: steep under the mountains, less with distance, near the graded slope.
+    let slope = |a: usize, b: usize| (row(a) - row(b)) / ((b - a) as f64 * 10.0);
+    let (near, far) = (slope(42, 52), slope(70, 90));
+    assert!(near > 1.5 * far && (0.02..0.3).contains(&near), "{near} {far}");
+}

@@ -19,7 +19,7 @@
 
 use landform_core::algo::derivative::quadratic;
 use landform_core::grid::Grid;
-use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, RasterDomain};
+use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED, RasterDomain};
 use landform_core::verb::Resolved;
 use landform_core::{math, parallel};
 
@@ -104,6 +104,16 @@ pub(super) fn uplift(grid: &Grid, weights: &Weights) -> f64 {
     STEP * weights.uplift * unit(grid)
 }
 
+/// A node once it is cut, before smoothing.
+#[derive(Clone, Copy)]
+struct Cut {
+    z: f64,
+    /// f of the equation.
+    power: f64,
+    /// The lowest ground beside it.
+    floor: f64,
+}
+
 /// The ground after a round.
 pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
     let u = unit(g.grid);
@@ -115,7 +125,7 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
     let cut = parallel::map(g.z.len(), |i| {
         let (z, f) = (g.z[i], power(i));
         if !g.gives_way(i) || f == 0.0 {
-            return (z, 0.0);
+            return Cut { z, power: 0.0, floor: z };
         }
         let f = f * STEP * g.softness.at(i);
         let floor = g.lowest(i);
@@ -136,12 +146,12 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
         let slope = slope.max(g.fall(i));
         let taken = f * brisk * u * (weights.advection * slope + weights.base);
         let new = if z > floor { (z - taken).max(floor) } else { (z - taken).max(g.bottom.min(z)) };
-        (new, f)
+        Cut { z: new, power: f, floor }
     });
     let smoothing = if weights.everywhere { STEP } else { 1.0 };
     let kappa = weights.diffusion * smoothing * u * u;
     let strength = |i: usize| {
-        let k = if weights.everywhere { kappa } else { kappa * cut[i].1 };
+        let k = if weights.everywhere { kappa } else { kappa * cut[i].power };
         if g.gives_way(i) { k } else { 0.0 }
     };
     let mut out = smooth(g, &cut, strength);
@@ -153,27 +163,52 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
         if !weights.everywhere {
             *new = new.min(g.z[i]);
         }
-        let floor = g.lowest(i);
-        if g.z[i] > floor {
-            *new = new.max(floor);
+        if g.z[i] > cut[i].floor {
+            *new = new.max(cut[i].floor);
         }
     });
     out
 }
 
+/// How a node is smoothed.
+#[derive(Clone, Copy)]
+struct Smooth {
+    /// k of the equation; 0 for nodes that are not smoothed.
+    strength: f64,
+    /// 1 / (1 + k Σ c) where all four neighbours are there, else 0.
+    share: f64,
+}
+
 /// Solves (1 + k Σ c) z' − k Σ c z'_j = z by Jacobi's sweeps, c = 1/dx² and 1/dy².
-fn smooth(g: &Ground, cut: &[(f64, f64)], strength: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
+fn smooth(g: &Ground, cut: &[Cut], strength: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
     let [dx, dy] = g.grid.spacing;
+    let (cx, cy) = (1.0 / (dx * dx), 1.0 / (dy * dy));
     let least = FAINT * dx.min(dy) * dx.min(dy);
-    let mut now = parallel::map(cut.len(), |i| cut[i].0);
+    let (cols, rows) = (g.grid.shape.cols, g.grid.shape.rows);
+    let status = g.domain.status();
+    let how = parallel::map(cut.len(), |i| {
+        let k = strength(i);
+        if k < least {
+            return Smooth { strength: 0.0, share: 0.0 };
+        }
+        let (row, col) = (i / cols, i % cols);
+        let is_inside = row > 0 && row + 1 < rows && col > 0 && col + 1 < cols;
+        let is_whole = is_inside && [i - 1, i + 1, i - cols, i + cols].iter().all(|&j| status[j] != MASKED);
+        Smooth { strength: k, share: if is_whole { 1.0 / (1.0 + 2.0 * k * (cx + cy)) } else { 0.0 } }
+    });
+    let mut now = parallel::map(cut.len(), |i| cut[i].z);
     let mut next = now.clone();
     for _ in 0..SWEEPS {
         parallel::fill(&mut next, |i| {
-            let k = strength(i);
-            if k < least {
-                return cut[i].0;
+            let Smooth { strength: k, share } = how[i];
+            if share > 0.0 {
+                let around = cx * (now[i - 1] + now[i + 1]) + cy * (now[i - cols] + now[i + cols]);
+                return (cut[i].z + k * around) * share;
             }
-            let (mut weight, mut sum) = (1.0, cut[i].0);
+            if k == 0.0 {
+                return cut[i].z;
+            }
+            let (mut weight, mut sum) = (1.0, cut[i].z);
             for link in g.domain.neighbours(i).filter(|l| l.slot % 2 == 0) {
                 let c = k / (link.distance * link.distance);
                 weight += c;

@@ -92,4 +92,6 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("koh_streams", "64_koh_streams.toml", "data/softness_face.png"),
     recipe!("lake", "65_a_lake_breaks_through.toml"),
     recipe!("confluence", "66_confluence.toml"),
+    recipe!("fans", "67_alluvial_fans.toml"),
+    recipe!("delta", "68_delta.toml"),
 ];

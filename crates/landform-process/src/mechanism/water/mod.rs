@@ -13,6 +13,7 @@
 //! Pytel (2015), 4.3.1 and 4.4.3. The seed moves water by one neighbour an iteration, so that its rivers are as deep as iterations are
 //! short; here a round is long against the time that water takes to the border.
 
+mod load;
 mod order;
 mod pipes;
 mod pools;
@@ -61,7 +62,9 @@ impl Ledger {
 
 /// Nodes from the highest to the lowest, to within 2⁻³² of the relief; NaN is left out.
 pub fn highest_first(height: &[f64]) -> Vec<usize> {
-    order::HighestFirst::default().sort(height).iter().map(|key| *key as u32 as usize).collect()
+    let mut order = order::HighestFirst::default();
+    order.sort(height);
+    order.nodes().collect()
 }
 
 #[cfg(test)]

@@ -37,6 +37,11 @@ impl HighestFirst {
         }
         &self.keys
     }
+
+    /// The nodes as they were last sorted.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        self.keys.iter().map(|key| *key as u32 as usize)
+    }
 }
 
 #[cfg(test)]

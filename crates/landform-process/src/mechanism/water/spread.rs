@@ -80,6 +80,9 @@ impl Lower {
     /// Sets the shares of a site at `top` through which `part` of all the map's water runs.
     #[inline]
     pub fn share(&mut self, rule: Rule, top: f64, part: f64) {
+        if self.is_empty() {
+            return;
+        }
         let total: f64 = match rule {
             Rule::Columns { depth } => {
                 let water = depth * part.sqrt();

@@ -56,9 +56,9 @@ enum Late {
 /// Runoff over a raster.
 #[derive(Clone, Debug)]
 pub struct Sweep {
-    rule: Rule,
-    order: HighestFirst,
-    pools: Pools,
+    pub(super) rule: Rule,
+    pub(super) order: HighestFirst,
+    pub(super) pools: Pools,
     sites: Vec<Site>,
     /// Water for nodes that the sweep has passed, m of depth, and the nodes by height.
     late: Vec<f64>,

@@ -156,8 +156,9 @@ fn a_broken_dam_runs_at_twice_the_speed_of_its_wave() {
     let (mut time, mut mark) = (0.0, None);
     while time < 1200.0 {
         let dt = pipes.max_step(&water).min(0.5);
-        let ledger = pipes.step(&domain, &z, &rain(&none), dt, &mut water);
-        assert!(ledger.imbalance() < 1e-12, "WC1");
+        let before: f64 = water.iter().sum();
+        pipes.step(&domain, &z, (&rain(&none), &[]), dt, &mut water);
+        assert!((water.iter().sum::<f64>() / before - 1.0).abs() < 1e-12, "WC1");
         time += dt;
         if mark.is_none() && time > 300.0 {
             mark = Some((time, front(&water)));
@@ -179,7 +180,7 @@ fn water_in_pipes_comes_to_rest_level() {
     let (mut pipes, mut water, none) = (Pipes::new(z.len(), [10.0; 2], 0.05), depth, vec![0.0; z.len()]);
     for _ in 0..20_000 {
         let dt = pipes.max_step(&water);
-        pipes.step(&domain, &z, &rain(&none), dt, &mut water);
+        pipes.step(&domain, &z, (&rain(&none), &[]), dt, &mut water);
     }
     let wet: Vec<f64> = (0..z.len()).filter(|&i| water[i] > 5e-3).map(|i| z[i] + water[i]).collect();
     let (lo, hi) = wet.iter().fold((f64::MAX, f64::MIN), |(a, b), &h| (a.min(h), b.max(h)));

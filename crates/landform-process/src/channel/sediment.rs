@@ -1,0 +1,167 @@
+//! What rivers carry and lay down: fans, deltas, floodplains.
+//!
+//! # Model
+//! All that a round wears away (E, a volume) moves on with the water. A river with the part f of the map's water can carry
+//!
+//! C = E f S / S_g
+//!
+//! at the slope S: at the graded slope S_g a river carries what the land above it sheds, however hard rounds cut. Where less comes, it cuts
+//! what it may; where more comes, what is too much settles over the length ℓ: 1 − exp(−dx/ℓ) of it at every node, never so much that the
+//! way uphill is blocked. Standing water carries nothing: coarse sediment settles at the mouth, up to the surface; what reaches the deepest place is
+//! spread over the lake by its depth. A lake that is full keeps the rest, and lets it go with the next round's water.
+//!
+//! Water in pipes spends the round on its way; sediment goes where most of it went, and every hollow counts as full.
+//!
+//! # Limits
+//! One size of grain. What is fine does not leave lakes over their outlets.
+//!
+//! # Sources
+//! Mei, Decaudin & Hu (2007), Eqs. 9 to 12: capacity in proportion to slope and flow, pick-up and settling. That a graded river has just the
+//! slope that its load needs: Mackin (1948), Bull. Geol. Soc. America 59. Here that slope is the parameter, so that a weight of erosion
+//! changes how fast, not what, forms.
+
+use landform_core::grid::{BASE_LEVEL, Domain, Grid, MASKED};
+use landform_core::units::Length;
+use landform_core::{math, parallel};
+use serde::{Deserialize, Serialize};
+
+use super::params::ChannelErosion;
+use super::ways::Ways;
+use super::wear::Ground;
+use crate::mechanism::water::{Lower, Rule};
+
+/// Settling lengths along the map's longer side.
+const LENGTHS_ACROSS: f64 = 50.0;
+
+/// How far a river may raise its bed over the ground uphill of it in a round, at the graded slope, in cells; then it leaves it.
+const RISE: f64 = 0.5;
+
+/// How rivers carry, and what is under way: in lakes that are full.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Sediment {
+    /// Slope at which a river carries all that the land sheds.
+    graded: f64,
+    /// Part of what is too much that settles across a cell.
+    settling: f64,
+    /// As a depth over each node, m.
+    under_way: Vec<f64>,
+}
+
+impl Sediment {
+    /// As the parameters have it; none if all that is cut leaves.
+    pub(super) fn of(params: &ChannelErosion, grid: &Grid) -> Option<Self> {
+        let ([w, h], [dx, dy]) = (grid.extent(), grid.spacing);
+        let length = params.settling_length.map_or(w.max(h) / LENGTHS_ACROSS, Length::si);
+        params.graded_slope.map(|slope| Self {
+            graded: slope.si(),
+            settling: 1.0 - math::exp(-dx.min(dy) / length),
+            under_way: vec![0.0; grid.len()],
+        })
+    }
+
+    /// Sediment under way, as depths summed over nodes, m.
+    pub(super) fn under_way(&self) -> f64 {
+        parallel::sum(self.under_way.len(), |i| self.under_way[i])
+    }
+
+    /// Carries what a round of wear sets loose and settles it: `new` becomes the ground after the round.
+    /// Returns what leaves the map, as depths summed over nodes, m.
+    pub(super) fn carry(&mut self, g: &Ground, ways: &dyn Ways, sinks: &[bool], new: &mut [f64]) -> f64 {
+        let whole = shed(g, new);
+        let (status, cell) = (g.domain.status(), g.grid.spacing[0].min(g.grid.spacing[1]));
+        // Surface of the lowest ground that sends anything here: what settles stays below it.
+        let mut roof = vec![f64::INFINITY; new.len()];
+        let mut left = 0.0;
+        let mut in_lakes: Vec<(usize, usize, f64)> = Vec::new();
+        for i in ways.order() {
+            let came = std::mem::take(&mut self.under_way[i]);
+            if status[i] == BASE_LEVEL || sinks.get(i).copied().unwrap_or(false) {
+                left += came + g.z[i] - new[i];
+                continue;
+            }
+            let mut onward = ways.onward(i, g.flow[i]);
+            let above = if roof[i] < f64::INFINITY { (roof[i] - g.z[i]).max(0.0) } else { 0.0 };
+            let lake = ways.lake(i);
+            let (capacity, room) = match lake {
+                Some(_) => (0.0, ways.surface(i) - g.z[i]),
+                None => {
+                    let flow = g.banks[i].lent + g.flow[i];
+                    (whole * flow * slope_onward(g, &onward, i) / self.graded, above + RISE * self.graded * cell)
+                }
+            };
+            let wanted = g.z[i] - new[i];
+            let too_much = came - capacity;
+            let change = if lake.is_none() && too_much < 0.0 {
+                // What it cuts, as far as it can carry that; what it would fill, as far as anything came.
+                -wanted.min(-too_much).max(-came)
+            } else {
+                (self.settling * too_much.max(0.0)).min(room).max(0.0)
+            };
+            new[i] = g.z[i] + change;
+            let on = came - change;
+            if lake.is_none() && too_much > 0.0 {
+                // Overloaded rivers braid.
+                onward.share(Rule::Weighted, g.z[i], g.flow[i]);
+            }
+            if onward.is_empty() {
+                match lake {
+                    Some(lake) => in_lakes.push((lake, i, on)),
+                    None => self.under_way[i] = on,
+                }
+                continue;
+            }
+            for (j, share) in onward.shares() {
+                self.under_way[j] += on * share;
+                roof[j] = roof[j].min(new[i]);
+            }
+        }
+        spread_in_lakes(ways, in_lakes, new, &mut self.under_way);
+        left
+    }
+}
+
+/// All that a round would wear away, as depths summed over nodes, m.
+fn shed(g: &Ground, new: &[f64]) -> f64 {
+    parallel::sum(new.len(), |i| if g.domain.status()[i] == MASKED { 0.0 } else { (g.z[i] - new[i]).max(0.0) })
+}
+
+/// Slope along the ways on.
+fn slope_onward(g: &Ground, onward: &Lower, i: usize) -> f64 {
+    let [dx, dy] = g.grid.spacing;
+    let cols = g.grid.shape.cols;
+    let fall = |(j, share): (usize, f64)| {
+        let (rows, across) = ((i / cols).abs_diff(j / cols), (i % cols).abs_diff(j % cols));
+        let distance = math::hypot(rows.min(1) as f64 * dy, across.min(1) as f64 * dx);
+        share * (g.z[i] - g.z[j] - g.standing[j]).max(0.0) / distance
+    };
+    onward.shares().map(fall).sum()
+}
+
+/// Spreads what has reached the deepest places of lakes, by the depth that is left; what does not fit stays there.
+fn spread_in_lakes(ways: &dyn Ways, rests: Vec<(usize, usize, f64)>, new: &mut [f64], load: &mut [f64]) {
+    let Some(last) = rests.iter().map(|r| r.0).max() else { return };
+    let mut amount = vec![0.0; last + 1];
+    let mut room = vec![0.0; last + 1];
+    rests.iter().for_each(|&(lake, _, rest)| amount[lake] += rest);
+    let of = |i: usize, new: &[f64]| {
+        let lake = ways.lake(i).filter(|&lake| lake <= last)?;
+        Some((lake, (ways.surface(i) - new[i]).max(0.0)))
+    };
+    for i in 0..new.len() {
+        if let Some((lake, depth)) = of(i, new) {
+            room[lake] += depth;
+        }
+    }
+    for i in 0..new.len() {
+        if let Some((lake, depth)) = of(i, new)
+            && room[lake] > 0.0
+        {
+            new[i] += depth * (amount[lake] / room[lake]).min(1.0);
+        }
+    }
+    for (lake, pit, rest) in rests {
+        if amount[lake] > room[lake] {
+            load[pit] += rest * (1.0 - room[lake] / amount[lake]);
+        }
+    }
+}

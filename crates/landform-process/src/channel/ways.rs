@@ -1,0 +1,94 @@
+//! The ways that sediment takes in a round: those of its water.
+
+use landform_core::algo::flow::Flow;
+use landform_core::algo::outline::label_regions;
+use landform_core::grid::{Domain, RasterDomain};
+
+use crate::mechanism::water::{Lower, Pipes, Rule, Sweep, highest_first};
+
+/// Where sediment goes.
+pub(super) trait Ways {
+    /// Nodes from the highest ground to the lowest.
+    fn order(&self) -> Box<dyn Iterator<Item = usize> + '_>;
+    /// Where what passes a node goes on to, with shares; always to lower ground. `part` is the flow as a part of all water.
+    fn onward(&self, node: usize, part: f64) -> Lower;
+    /// The lake over a node.
+    fn lake(&self, node: usize) -> Option<usize>;
+    /// Surface of the lake over a node, or its ground.
+    fn surface(&self, node: usize) -> f64;
+}
+
+/// The ways of a sweep over its ground.
+pub(super) struct Swept<'a> {
+    pub(super) sweep: &'a Sweep,
+    pub(super) domain: &'a RasterDomain,
+    pub(super) ground: &'a [f64],
+}
+
+impl Ways for Swept<'_> {
+    fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
+        Box::new(self.sweep.order())
+    }
+
+    fn onward(&self, node: usize, part: f64) -> Lower {
+        self.sweep.onward(self.domain, self.ground, node, part)
+    }
+
+    fn lake(&self, node: usize) -> Option<usize> {
+        self.sweep.lake(node)
+    }
+
+    fn surface(&self, node: usize) -> f64 {
+        self.sweep.surface(self.ground, node)
+    }
+}
+
+/// The ways of water in pipes: with what crossed in the round. Every hollow is a lake, full: many floods would have filled it.
+pub(super) struct Piped<'a> {
+    pipes: &'a Pipes,
+    domain: &'a RasterDomain,
+    ground: &'a [f64],
+    level: Vec<f64>,
+    lake: Vec<u32>,
+}
+
+impl<'a> Piped<'a> {
+    pub(super) fn new(pipes: &'a Pipes, domain: &'a RasterDomain, ground: &'a [f64]) -> Self {
+        let mut flow = Flow::new();
+        flow.route(domain, ground, &mut vec![0.0; ground.len()]);
+        let level = flow.water_level(ground);
+        let lake = label_regions(domain.shape(), |i| level[i] > ground[i], |a, b| level[a] == level[b]);
+        Self { pipes, domain, ground, level, lake }
+    }
+}
+
+impl Ways for Piped<'_> {
+    fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
+        Box::new(highest_first(self.ground).into_iter())
+    }
+
+    fn onward(&self, node: usize, part: f64) -> Lower {
+        let z = self.ground[node];
+        let mut lower = Lower::default();
+        for (to, volume) in self.pipes.gave(self.domain, node) {
+            if volume > 0.0 && self.ground[to] < z {
+                lower.push(to, z - volume);
+            }
+        }
+        if lower.is_empty() {
+            for link in self.domain.neighbours(node).filter(|l| self.ground[l.to] < z) {
+                lower.push(link.to, self.ground[link.to]);
+            }
+        }
+        lower.share(Rule::Weighted, z, part);
+        lower
+    }
+
+    fn lake(&self, node: usize) -> Option<usize> {
+        (self.lake[node] > 0).then_some(self.lake[node] as usize)
+    }
+
+    fn surface(&self, node: usize) -> f64 {
+        if self.lake[node] > 0 { self.level[node] } else { self.ground[node] }
+    }
+}

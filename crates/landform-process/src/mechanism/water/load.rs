@@ -1,0 +1,51 @@
+//! What water carries: its ways after a round, for sediment to follow.
+
+use landform_core::grid::{Domain, RasterDomain};
+
+use super::pools::DRY;
+use super::spread::{Lower, Rule};
+use super::sweep::Sweep;
+
+impl Sweep {
+    /// Nodes from the highest to the lowest, as the last round took them.
+    pub fn order(&self) -> impl Iterator<Item = usize> + '_ {
+        self.order.nodes()
+    }
+
+    /// The body of standing water over a node.
+    #[inline]
+    pub fn lake(&self, node: usize) -> Option<usize> {
+        match self.pools.at(node) {
+            DRY => None,
+            pool => Some(pool as usize),
+        }
+    }
+
+    /// Surface of standing water over a node, or its ground.
+    #[inline]
+    pub fn surface(&self, ground: &[f64], node: usize) -> f64 {
+        self.pools.surface(ground, node)
+    }
+
+    /// Where what passes a node of the last round goes on to, with shares: with the water on dry ground, down the bed under standing
+    /// water. `part` is the flow as a part of all water.
+    pub fn onward(&self, domain: &RasterDomain, ground: &[f64], node: usize, part: f64) -> Lower {
+        let z = ground[node];
+        let mut lower = Lower::default();
+        if self.lake(node).is_some() {
+            for link in domain.neighbours(node).filter(|l| ground[l.to] < z) {
+                lower.push(link.to, ground[link.to]);
+            }
+            lower.share(Rule::Weighted, z, part);
+            return lower;
+        }
+        for link in domain.neighbours(node).filter(|l| ground[l.to] < z) {
+            let level = self.surface(ground, link.to);
+            if level < z {
+                lower.push(link.to, level);
+            }
+        }
+        lower.share(self.rule, z, part);
+        lower
+    }
+}
