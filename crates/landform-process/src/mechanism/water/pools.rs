@@ -16,6 +16,8 @@ use landform_core::grid::{Domain, RasterDomain};
 
 /// No pool, or no node.
 pub(super) const DRY: u32 = u32::MAX;
+/// Marks nodes of a pool in place of its number as a rim; pools are fewer.
+const MARK: u32 = 1 << 31;
 
 /// A height that is ordered totally.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,8 +45,6 @@ struct Pool {
     nodes: Vec<u32>,
     rim: BinaryHeap<Reverse<(Height, u32)>>,
     exit: Option<Exit>,
-    /// Depths summed over the exit of all that has left by it, m.
-    spilled: f64,
 }
 
 /// Where a pool overflows.
@@ -141,7 +141,6 @@ impl Pools {
     ) -> Option<(usize, f64)> {
         loop {
             if let Some(exit) = self.pools[id as usize].exit {
-                self.pools[id as usize].spilled += amount;
                 return Some((exit.node as usize, amount));
             }
             let next = loop {
@@ -218,7 +217,6 @@ impl Pools {
         // Equal but for rounding; the higher one, or water would run in a circle over the pass between them.
         pool.level = pool.level.max(taken.level);
         pool.volume += taken.volume;
-        pool.spilled = pool.spilled.max(taken.spilled);
         pool.nodes.append(&mut taken.nodes);
         pool.rim.append(&mut taken.rim);
         if let Some(exit) = taken.exit {
@@ -237,18 +235,44 @@ impl Pools {
         }
     }
 
-    /// Calls `visit` with the nodes that water takes through each pool to its exit, from there back, and with all that has left by it.
-    pub(super) fn ways_through(&self, mut visit: impl FnMut(usize, f64)) {
-        for pool in &self.pools {
-            let Some(exit) = pool.exit else { continue };
-            let mut node = exit.from;
-            for _ in 0..pool.nodes.len() {
-                visit(node as usize, pool.spilled);
-                let from = self.from[node as usize];
-                if from == DRY || self.of[from as usize] == DRY {
-                    break;
+    /// Where a pool overflows, on its own side.
+    pub(super) fn brink(&self, pool: u32) -> Option<usize> {
+        self.pools[pool as usize].exit.map(|e| e.from as usize)
+    }
+
+    /// Calls `visit` with every node of a pool that water crosses on its shortest way to the exit, and how much. `net` is what came into
+    /// the pool at a node less what once left there, m of depth; it is used up. Only the last call after a round: marks are overwritten.
+    pub(super) fn ways_through(&mut self, domain: &RasterDomain, net: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+        let mut order = Vec::new();
+        for id in 0..self.pools.len() as u32 {
+            let Some(&first) = self.pools[id as usize].nodes.first() else { continue };
+            let brink = self.brink(id).filter(|&b| self.at(b) == id);
+            let root = brink.unwrap_or(first as usize);
+            // From the exit backwards, nearest first.
+            let mark = MARK | id;
+            order.clear();
+            order.push(root as u32);
+            self.rim_of[root] = mark;
+            let mut next = 0;
+            while next < order.len() {
+                let node = order[next] as usize;
+                next += 1;
+                for link in domain.neighbours(node) {
+                    if self.rim_of[link.to] != mark && self.at(link.to) == id {
+                        (self.rim_of[link.to], self.from[link.to]) = (mark, node as u32);
+                        order.push(link.to as u32);
+                    }
                 }
-                node = from;
+            }
+            net[root] = net[root].max(0.0);
+            for &node in order.iter().rev() {
+                let through = std::mem::take(&mut net[node as usize]);
+                if through != 0.0 {
+                    visit(node as usize, through.abs());
+                    if node as usize != root {
+                        net[self.from[node as usize] as usize] += through;
+                    }
+                }
             }
         }
     }

@@ -68,6 +68,8 @@ pub struct Sweep {
     /// What passed each node, m of depth.
     passed: Vec<f64>,
     left: f64,
+    /// What came into a pool at each node less what left there, m of depth.
+    net: Vec<f64>,
     /// Where most water goes, so that a visit need not look around.
     glance: Vec<Glance>,
 }
@@ -97,6 +99,7 @@ impl Sweep {
             inflow: Vec::new(),
             glance: Vec::new(),
             passed: Vec::new(),
+            net: Vec::new(),
             left: 0.0,
         }
     }
@@ -115,6 +118,8 @@ impl Sweep {
         );
         self.left = 0.0;
         self.late.resize(n, 0.0);
+        self.net.clear();
+        self.net.resize(n, 0.0);
         self.inflow.clear();
         self.glance.resize(n, Glance::default());
         look_around(domain, ground, &mut self.glance);
@@ -134,13 +139,13 @@ impl Sweep {
             match self.pools.at(pit as usize) {
                 _ if over.is_end(pit as usize) => self.left += water,
                 DRY => self.new_pool(&over, pit as usize, water),
-                pool => self.send_to_pool(pool, water),
+                pool => self.send_to_pool(pool, pit as usize, water),
             }
             self.run_off(&over);
         }
         self.order = order;
         let sites = &mut self.sites;
-        self.pools.ways_through(|i, all| sites[i].water = sites[i].water.min(-all));
+        self.pools.ways_through(domain, &mut self.net, |i, all| sites[i].water = sites[i].water.min(-all));
         self.passed.clear();
         self.passed.extend(self.sites.iter().map(|s| s.water.abs()));
         standing.fill(0.0);
@@ -209,7 +214,7 @@ impl Sweep {
         } else if pool != DRY {
             // Level ground that a pool has already flooded.
             if water > 0.0 {
-                self.send_to_pool(pool, water + held.remove(&(i as u32)).unwrap_or(0.0));
+                self.send_to_pool(pool, i, water + held.remove(&(i as u32)).unwrap_or(0.0));
                 self.run_off(over);
             }
         } else if water > 0.0 && !self.drops(over, i, water) {
@@ -278,7 +283,7 @@ impl Sweep {
                 DRY => self.send_to_node(over, j, amount),
                 pool => {
                     self.sites[j].water -= amount;
-                    self.send_to_pool(pool, amount);
+                    self.send_to_pool(pool, j, amount);
                 }
             }
         }
@@ -291,7 +296,9 @@ impl Sweep {
         self.late[node] += amount;
     }
 
-    fn send_to_pool(&mut self, pool: u32, amount: f64) {
+    /// Water comes into a pool at one of its nodes.
+    fn send_to_pool(&mut self, pool: u32, node: usize, amount: f64) {
+        self.net[node] += amount;
         let waiting = self.inflow[pool as usize];
         if waiting == 0.0 {
             self.queue.push((Height(self.pools.level(pool)), Late::Pool(pool)));
@@ -302,7 +309,7 @@ impl Sweep {
     fn new_pool(&mut self, over: &Over, pit: usize, amount: f64) {
         let pool = self.pools.begin(over.domain, over.ground, pit);
         self.inflow.push(0.0);
-        self.send_to_pool(pool, amount);
+        self.send_to_pool(pool, pit, amount);
     }
 
     /// Fills pools and lets run on what leaves them, the highest first, until all waits for nodes that the sweep has yet to reach.
@@ -319,7 +326,7 @@ impl Sweep {
                     }
                     let pool = self.pools.at(i);
                     if pool != DRY {
-                        self.send_to_pool(pool, water);
+                        self.send_to_pool(pool, i, water);
                         continue;
                     }
                     let lower = self.lower(over, i);
@@ -335,6 +342,9 @@ impl Sweep {
                     if let Some((exit, more)) =
                         self.pools.pour(over.domain, over.ground, |i| over.is_end(i), pool, water)
                     {
+                        if let Some(brink) = self.pools.brink(pool) {
+                            self.net[brink] -= more;
+                        }
                         self.leave_by(over, exit, more);
                     }
                 }
