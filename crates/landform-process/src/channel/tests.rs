@@ -164,3 +164,29 @@ fn a_fan_falls_gently_away_from_its_mouth() {
     let (near, far) = (slope(42, 52), slope(70, 90));
     assert!(near > 1.5 * far && (0.02..0.3).contains(&near), "{near} {far}");
 }
+
+#[test]
+fn the_deeper_of_two_channels_takes_the_others_water() {
+    // WC7: two grooves side by side on a slope, one deeper; the other keeps less than a tenth of its flow.
+    let (rows, cols) = (96, 40);
+    let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+    let grooves = |x: f64, y: f64| {
+        let groove = |at: f64, deep: f64| deep * (1.0 - (x - at).abs() / 4.0).max(0.0);
+        let deeper = 0.02 * y;
+        2.0 * (rows as f64 - y) - groove(16.0, 1.0) - groove(22.0, 1.0 + 8.0 * deeper)
+            + 0.2 * Seed(8).uniform((y * 999.0 + x) as u64)
+    };
+    let share = |rounds: u64| {
+        let params = ChannelErosion {
+            channel_radius: Some(Length::of(80.0)),
+            avalanche_weight: 4.0,
+            ..ChannelErosion::default()
+        };
+        let after = run(field(rows, cols, 10.0, edges, grooves), params, rounds);
+        let q = after.fields().get(&names::DISCHARGE, "").unwrap();
+        let near = |at: usize| (at - 2..=at + 2).map(|c| q[(rows - 6) * cols + c]).sum::<f64>();
+        near(16) / (near(16) + near(22))
+    };
+    let (early, late) = (share(1), share(300));
+    assert!(early > 0.2 && late < 0.1 * early, "{early} {late}");
+}

@@ -188,3 +188,31 @@ fn water_in_pipes_comes_to_rest_level() {
     // It goes on sloshing, less and less: friction falls with the square of the speed.
     assert!(hi - lo < 2e-3 && (hi - level).abs() < 2e-3, "{lo} {hi} {level}");
 }
+
+#[test]
+fn rivers_keep_their_water_across_level_ground() {
+    // A slope, a level terrace with a hollow in it, a slope: what came from above crosses every row, whichever way.
+    let n = 40;
+    let (domain, z) = ground(Edge::Open, n, n, |x, y| {
+        let noise = 0.3 * Seed(3).uniform((y * 99.0 + x) as u64);
+        match y {
+            y if y < 12.0 => 40.0 - y + noise,
+            y if y < 28.0 => 20.0 - if math::hypot(x - 20.0, y - 20.0) < 4.0 { 2.0 } else { 0.0 },
+            y => 40.0 - y + noise,
+        }
+    });
+    let depth: Vec<f64> =
+        (0..n * n).map(|i| if i / n < 10 && i % n > 0 && i % n < n - 1 { 1.0 } else { 0.0 }).collect();
+    let mut standing = vec![0.0; n * n];
+    let mut sweep = Sweep::new(RULES[0]);
+    for _ in 0..5 {
+        sweep.round(&domain, &z, &rain(&depth), &mut standing);
+    }
+    let crosses = |row: usize| (0..n).map(|c| sweep.passed()[row * n + c]).sum::<f64>();
+    let through: f64 = (0..n).map(|c| sweep.passed()[c + n * 11]).sum();
+    // Some leaves by the open sides on the way.
+    for row in 12..27 {
+        let sides: f64 = (12..=row).map(|r| sweep.passed()[r * n] + sweep.passed()[r * n + n - 1]).sum();
+        assert!(crosses(row) + sides > 0.98 * through, "row {row}: {} and {sides} of {through}", crosses(row));
+    }
+}
