@@ -149,10 +149,35 @@ fn heights_drain_as_the_network_does() {
     let receiver = t.fields().get(&names::RECEIVER, "").unwrap();
     let z = t.elevation();
     assert!((0..4096).all(|i| receiver[i] as usize == i || z[i] > z[receiver[i] as usize]));
-    // OCN3: rivers at a steady state of stream power leave next to nothing to gain by a single change; greedy networks nothing at all.
+    // OCN3: greedy networks leave next to nothing to gain by a single change.
     let tree = searched(1, 200, 0.0);
     let domain = slope(64, 1).domain();
     let mut tree = tree;
     let gains = tree.gains(&domain);
     assert!(gains < 0.01, "{gains}");
+}
+
+#[test]
+fn rivers_at_a_steady_state_of_stream_power_are_nearly_optimal() {
+    // OCN3 with m/n = 0.5, where the steady landscape is a minimum of energy for small changes. Single links carry finite areas, and cost
+    // is concave in them, so some changes gain (7.6 % here, of the 1 % that were hoped for); of a network of chance many more do.
+    let mut t = noise(64, 4);
+    let chance = Tree::of(&t.domain(), t.elevation(), 0.5).gains(&t.domain());
+    let mut status = vec![INTERIOR; t.grid.len()];
+    (0..64).for_each(|c| status[63 * 64 + c] = BASE_LEVEL);
+    t.set_status(Some(status));
+    let rivers = crate::stream_power::StreamPower {
+        erodibility: landform_core::units::Erodibility::of(1e-5).into(),
+        area_exponent: 0.5,
+        slope_exponent: 1.0,
+        ..Default::default()
+    };
+    let rise = crate::uplift::Uplift { rate: landform_core::units::Rate::of(1.0).into() };
+    let mut sim =
+        Simulation::new(t).process(rise).unwrap().process(rivers).unwrap().dt(2e4 * YEAR).until(Stop::steps(400));
+    sim.run().unwrap();
+    let t = sim.into_terrain();
+    let mut tree = Tree::of(&t.domain(), t.elevation(), 0.5);
+    let gains = tree.gains(&t.domain());
+    assert!(gains < 0.1 && gains < 0.5 * chance, "{gains} {chance}");
 }
