@@ -19,7 +19,7 @@ pub(super) const PYTEL_RIVERS: Page = Page {
 
 Written by `cargo xtask reproduce pytel-rivers`. Cells are 10 m wide unless a recipe says otherwise (the thesis gives no unit). Weights are those of tables 4.6 and 4.7; what the thesis does not give (the scale of f, its
 time step, initial ground) was chosen by looking, see the docs of `channel_erosion`. Water moves all its way within a round here, by one neighbour there. Seconds of recipes include their pictures and measures, on one thread; table
-4.9 at the end is of erosion alone.
+4.9 at the end is without.
 
 ",
     figures: &[
@@ -123,7 +123,7 @@ fn transports() -> Result<String> {
 
 fn seconds() -> Result<String> {
     let mut text = String::from(
-        "## Table 4.9: seconds\n\nErosion on the same slope, and both stages; without pictures, on all cores of the machine that wrote the page, one run.\n\n\
+        "## Table 4.9: seconds\n\nAs many rounds as the thesis' figures had, of the default weights on the same slope, and both stages; with the making of the ground, without pictures, on all cores of the machine that wrote the page, one run.\n\n\
          | run | grid | rounds | thesis | here |\n|---|---|---|---|---|\n",
     );
     for (what, rounds, theirs) in

@@ -137,8 +137,9 @@ pub struct SurfaceMeasured {
     pub surface: Option<Surface>,
     /// Pits, peaks, sinks.
     pub form: Form,
-    /// Half the integral over the map of z_xx² + 2 z_xy² + z_yy²: what a thin plate of this shape holds (without unit).
-    pub bending_energy: f64,
+    /// Half the integral over the map of z_xx² + 2 z_xy² + z_yy²: what a thin plate of this shape holds (without unit);
+    /// none where cells are not square.
+    pub bending_energy: Option<f64>,
 }
 
 measure!(
@@ -146,6 +147,7 @@ measure!(
     MeasureSurface, "measure_surface", "surface.json", [HORN, EVANS], SurfaceMeasured, |raster| SurfaceMeasured {
         surface: surface(&raster.grid, raster.elevation()),
         form: form_of(&raster.grid, &raster.domain(), raster.elevation()),
-        bending_energy: bending_energy(raster.grid.shape, raster.elevation()) / raster.grid.cell_area(),
+        bending_energy: (raster.grid.spacing[0] == raster.grid.spacing[1])
+            .then(|| bending_energy(raster.grid.shape, raster.elevation()) / raster.grid.cell_area()),
     }
 );

@@ -70,9 +70,13 @@ impl Water {
     }
 
     /// The ways of the last round over the ground that it ran on; none for area maps.
-    pub(super) fn ways<'a>(&'a self, domain: &'a RasterDomain, ground: &'a [f64]) -> Option<Box<dyn Ways + 'a>> {
+    pub(super) fn ways<'a>(
+        &'a self,
+        (domain, ground): (&'a RasterDomain, &'a [f64]),
+        sinks: &[bool],
+    ) -> Option<Box<dyn Ways + 'a>> {
         if let Some(pipes) = &self.pipes {
-            return Some(Box::new(Piped::new(pipes, domain, ground)));
+            return Some(Box::new(Piped::new(pipes, (domain, ground), sinks)));
         }
         let sweep = self.scratch.sweep.as_ref()?;
         Some(Box::new(Swept { sweep, domain, ground }))

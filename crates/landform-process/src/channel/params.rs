@@ -116,7 +116,7 @@ pub struct ChannelErosion {
     #[schemars(extend("x-above" = 0.0))]
     pub river_depth: Length,
     /// Slope at which rivers carry on all that the land above them sheds. Where they fall less steeply they lay it down as fans, deltas and
-    /// floodplains. If not given, all that is cut leaves the map.
+    /// floodplains. If not given, all that is cut leaves the map. What full lakes hold back at the end is in no field.
     #[schemars(extend("x-above" = 0.0, "x-max" = 10.0))]
     pub graded_slope: Option<Ratio>,
     /// Distance over which sediment that is too much settles; a 50th of the longer side if not given.
@@ -198,6 +198,10 @@ impl Params for ChannelErosion {
         if self.transport == Transport::AreaMap && self.graded_slope.is_some() {
             let allowed = "another: an area map has no water to carry sediment";
             return Err(Error::parameter("transport", "\"area_map\" with `graded_slope`", allowed));
+        }
+        if self.smoothing == Smoothing::Everywhere && self.graded_slope.is_some() {
+            let allowed = "\"channels\": rivers carry what they cut, not what creeps";
+            return Err(Error::parameter("smoothing", "\"everywhere\" with `graded_slope`", allowed));
         }
         if self.settling_length.is_some() && self.graded_slope.is_none() {
             return Err(Error::parameter("settling_length", "given alone", "together with graded_slope"));

@@ -1,7 +1,7 @@
 //! What rivers carry and lay down: fans, deltas, floodplains.
 //!
 //! # Model
-//! All that a round wears away (E, a volume) moves on with the water. A river with the part f of the map's water can carry
+//! All that a round would wear away if it could be carried (E, a volume) is what rivers are made for. A river with the part f of the map's water can carry
 //!
 //! C = E f S / S_g
 //!
@@ -33,6 +33,8 @@ use crate::mechanism::water::{Lower, Rule};
 /// Settling lengths along the map's longer side.
 const LENGTHS_ACROSS: f64 = 50.0;
 
+/// Rivers steeper than this raise their beds by no more in a round.
+const STEEP: f64 = 0.1;
 /// How far a river may raise its bed over the ground uphill of it in a round, at the graded slope, in cells; then it leaves it.
 const RISE: f64 = 0.5;
 
@@ -86,7 +88,10 @@ impl Sediment {
                 Some(_) => (0.0, ways.surface(i) - g.z[i]),
                 None => {
                     let flow = g.banks[i].lent + g.flow[i];
-                    (whole * flow * slope_onward(g, &onward, i) / self.graded, above + RISE * self.graded * cell)
+                    (
+                        whole * flow * slope_onward(g, ways, &onward, i) / self.graded,
+                        above + RISE * self.graded.min(STEEP) * cell,
+                    )
                 }
             };
             let wanted = g.z[i] - new[i];
@@ -126,13 +131,13 @@ fn shed(g: &Ground, new: &[f64]) -> f64 {
 }
 
 /// Slope along the ways on.
-fn slope_onward(g: &Ground, onward: &Lower, i: usize) -> f64 {
+fn slope_onward(g: &Ground, ways: &dyn Ways, onward: &Lower, i: usize) -> f64 {
     let [dx, dy] = g.grid.spacing;
     let cols = g.grid.shape.cols;
     let fall = |(j, share): (usize, f64)| {
         let (rows, across) = ((i / cols).abs_diff(j / cols), (i % cols).abs_diff(j % cols));
         let distance = math::hypot(rows.min(1) as f64 * dy, across.min(1) as f64 * dx);
-        share * (g.z[i] - g.z[j] - g.standing[j]).max(0.0) / distance
+        share * (g.z[i] - ways.surface(j)).max(0.0) / distance
     };
     onward.shares().map(fall).sum()
 }

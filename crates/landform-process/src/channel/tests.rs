@@ -190,3 +190,13 @@ fn the_deeper_of_two_channels_takes_the_others_water() {
     let (early, late) = (share(1), share(300));
     assert!(early > 0.2 && late < 0.1 * early, "{early} {late}");
 }
+
+#[test]
+fn level_ground_stays_level_to_the_bit() {
+    let slope = Some(landform_core::units::Ratio::of(0.05));
+    for graded_slope in [None, slope] {
+        let level = field(16, 16, 10.0, Edges::default(), |_, _| 100.0);
+        let after = run(level, ChannelErosion { graded_slope, ..ChannelErosion::default() }, 5);
+        assert!(after.elevation().iter().all(|&z| z == 100.0));
+    }
+}

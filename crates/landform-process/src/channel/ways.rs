@@ -1,8 +1,11 @@
 //! The ways that sediment takes in a round: those of its water.
 
+use std::collections::BTreeSet;
+
 use landform_core::algo::flow::Flow;
 use landform_core::algo::outline::label_regions;
 use landform_core::grid::{Domain, RasterDomain};
+use landform_core::parallel;
 
 use crate::mechanism::water::{Lower, Pipes, Rule, Sweep, highest_first};
 
@@ -53,11 +56,16 @@ pub(super) struct Piped<'a> {
 }
 
 impl<'a> Piped<'a> {
-    pub(super) fn new(pipes: &'a Pipes, domain: &'a RasterDomain, ground: &'a [f64]) -> Self {
+    pub(super) fn new(pipes: &'a Pipes, (domain, ground): (&'a RasterDomain, &'a [f64]), sinks: &[bool]) -> Self {
         let mut flow = Flow::new();
         flow.route(domain, ground, &mut vec![0.0; ground.len()]);
         let level = flow.water_level(ground);
-        let lake = label_regions(domain.shape(), |i| level[i] > ground[i], |a, b| level[a] == level[b]);
+        let mut lake = label_regions(domain.shape(), |i| level[i] > ground[i], |a, b| level[a] == level[b]);
+        // A hollow with a hole in its floor holds nothing.
+        let open: BTreeSet<u32> = (0..sinks.len()).filter(|&i| sinks[i]).map(|i| lake[i]).collect();
+        if !open.is_empty() {
+            parallel::update(&mut lake, |_, l| *l = if open.contains(l) { 0 } else { *l });
+        }
         Self { pipes, domain, ground, level, lake }
     }
 }

@@ -160,7 +160,8 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
             *new = g.z[i];
             return;
         }
-        if !weights.everywhere {
+        // Nothing comes in over a border that is cut.
+        if !weights.everywhere || g.domain.status()[i] == BASE_LEVEL {
             *new = new.min(g.z[i]);
         }
         if g.z[i] > cut[i].floor {
@@ -200,21 +201,23 @@ fn smooth(g: &Ground, cut: &[Cut], strength: impl Fn(usize) -> f64 + Sync) -> Ve
     let mut next = now.clone();
     for _ in 0..SWEEPS {
         parallel::fill(&mut next, |i| {
-            let Smooth { strength: k, share } = how[i];
+            // By differences, so that level ground stays level to the bit.
+            let (Smooth { strength: k, share }, z) = (how[i], cut[i].z);
             if share > 0.0 {
-                let around = cx * (now[i - 1] + now[i + 1]) + cy * (now[i - cols] + now[i + cols]);
-                return (cut[i].z + k * around) * share;
+                let across = (now[i - 1] - z) + (now[i + 1] - z);
+                let down = (now[i - cols] - z) + (now[i + cols] - z);
+                return z + k * share * (cx * across + cy * down);
             }
             if k == 0.0 {
-                return cut[i].z;
+                return z;
             }
-            let (mut weight, mut sum) = (1.0, cut[i].z);
+            let (mut weight, mut sum) = (1.0, 0.0);
             for link in g.domain.neighbours(i).filter(|l| l.slot % 2 == 0) {
                 let c = k / (link.distance * link.distance);
                 weight += c;
-                sum += c * now[link.to];
+                sum += c * (now[link.to] - z);
             }
-            sum / weight
+            z + sum / weight
         });
         std::mem::swap(&mut now, &mut next);
     }

@@ -40,8 +40,6 @@ impl Ord for Height {
 #[derive(Clone, Debug, Default)]
 struct Pool {
     level: f64,
-    /// Depths summed over its nodes, m.
-    volume: f64,
     nodes: Vec<u32>,
     rim: BinaryHeap<Reverse<(Height, u32)>>,
     exit: Option<Exit>,
@@ -156,12 +154,10 @@ impl Pools {
             let room = next.map_or(f64::INFINITY, |(height, _)| count * (height - pool.level).max(0.0));
             if amount < room {
                 pool.level += amount / count;
-                pool.volume += amount;
                 return None;
             }
             let (height, node) = next?;
             amount -= room;
-            pool.volume += room;
             pool.level = pool.level.max(height);
             pool.rim.pop();
             self.reach(domain, ground, &is_end, id, node);
@@ -216,7 +212,6 @@ impl Pools {
         let pool = &mut self.pools[id as usize];
         // Equal but for rounding; the higher one, or water would run in a circle over the pass between them.
         pool.level = pool.level.max(taken.level);
-        pool.volume += taken.volume;
         pool.nodes.append(&mut taken.nodes);
         pool.rim.append(&mut taken.rim);
         if let Some(exit) = taken.exit {

@@ -136,6 +136,8 @@ impl Sweep {
         let mut left: Vec<(u32, f64)> = held.into_iter().collect();
         left.sort_by_key(|h| h.0);
         for (pit, water) in left {
+            // What stood there all along is no flow.
+            self.net[pit as usize] -= water;
             match self.pools.at(pit as usize) {
                 _ if over.is_end(pit as usize) => self.left += water,
                 DRY => self.new_pool(&over, pit as usize, water),
@@ -214,18 +216,27 @@ impl Sweep {
         } else if pool != DRY {
             // Level ground that a pool has already flooded.
             if water > 0.0 {
-                self.send_to_pool(pool, i, water + held.remove(&(i as u32)).unwrap_or(0.0));
+                let kept = self.kept(i, held);
+                self.send_to_pool(pool, i, water + kept);
                 self.run_off(over);
             }
         } else if water > 0.0 && !self.drops(over, i, water) {
             let lower = self.lower(over, i);
             if lower.is_empty() {
-                self.new_pool(over, i, water + held.remove(&(i as u32)).unwrap_or(0.0));
+                let kept = self.kept(i, held);
+                self.new_pool(over, i, water + kept);
             } else {
                 self.pass_on(over, i, lower, water);
             }
             self.run_off(over);
         }
+    }
+
+    /// What stood over a pit before the round; it is no flow.
+    fn kept(&mut self, pit: usize, held: &mut HashMap<u32, f64>) -> f64 {
+        let kept = held.remove(&(pit as u32)).unwrap_or(0.0);
+        self.net[pit] -= kept;
+        kept
     }
 
     /// Passes water on if the lowest neighbour takes all of it.
