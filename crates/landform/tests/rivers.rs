@@ -1,9 +1,11 @@
 //! Rivers on recipes: what erosion leaves of a spectrum, how transports gather water, and what least bending takes away.
+#![allow(clippy::unwrap_used)]
 
 use std::path::Path;
 
 use landform::core::analysis::{Spectrum, spectrum};
 use landform::core::field::names;
+use landform::core::math;
 use landform::core::terrain::{HeightField, NodeSurface};
 use landform::core::verb::MemoryOutput;
 use landform::recipe::{AnyTerrain, Options, Ran, Recipe};
@@ -28,8 +30,12 @@ fn erosion_of_fractional_ground_keeps_its_long_waves() {
     let (channel, widest) =
         ("[[stage]]\nuse = \"channel_erosion\"\nchannel_radius = \"20 m\"\niterations = 40\n", 40.0);
     let long = |s: &Spectrum| {
-        let points: Vec<(f64, f64)> =
-            s.bins.iter().filter(|b| b.wavelength > 4.0 * widest).map(|b| (b.ring.ln(), b.density.ln())).collect();
+        let points: Vec<(f64, f64)> = s
+            .bins
+            .iter()
+            .filter(|b| b.wavelength > 4.0 * widest)
+            .map(|b| (math::log(b.ring), math::log(b.density)))
+            .collect();
         let n = points.len() as f64;
         let (mx, my) = points.iter().fold((0.0, 0.0), |(a, b), p| (a + p.0 / n, b + p.1 / n));
         let (sxy, sxx) =
