@@ -1,5 +1,5 @@
 //! Rivers on recipes: what erosion leaves of a spectrum, how transports gather water, and what least bending takes away.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use std::path::Path;
 
