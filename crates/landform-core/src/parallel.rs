@@ -104,6 +104,19 @@ pub fn for_rows_mut2<A: Send, B: Send>(
     a.par_chunks_mut(cols_a).zip(b.par_chunks_mut(cols_b)).enumerate().for_each(|(row, (a, b))| f(row, a, b));
 }
 
+/// Calls `f(first index, pieces)` for matching pieces of slices of equal length and returns what it gives, in order.
+pub fn map_pieces_mut<const N: usize, A: Send, T: Send>(
+    slices: [&mut [A]; N],
+    size: usize,
+    f: impl Fn(usize, [&mut [A]; N]) -> T + Sync,
+) -> Vec<T> {
+    let size = size.max(1);
+    let count = slices.first().map_or(0, |s| s.len().div_ceil(size));
+    let mut chunks = slices.map(|s| s.chunks_mut(size));
+    let pieces: Vec<_> = (0..count).map(|_| chunks.each_mut().map(|c| c.next().unwrap_or_default())).collect();
+    pieces.into_par_iter().enumerate().map(|(k, piece)| f(k * size, piece)).collect()
+}
+
 /// Runs `f` on exactly `threads` threads (0: as many as there are cores).
 ///
 /// # Errors

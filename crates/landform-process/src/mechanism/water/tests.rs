@@ -235,3 +235,26 @@ fn a_full_lake_passes_on_what_comes_in_and_no_more() {
     let greatest = sweep.passed().iter().copied().fold(0.0, f64::max);
     assert!(greatest < 0.7 * 961.0, "{greatest} of 961 passes the busiest node; {} stands", ledger.stored);
 }
+
+#[test]
+fn strips_of_pipes_join_without_a_seam() {
+    // Ground and its transpose, higher than one strip: the same water, whichever side strips are cut along; a wall in between.
+    let (rows, cols) = (75, 53);
+    let f = |x: f64, y: f64| if (x, y) == (20.0, 33.0) { f64::NAN } else { rough(x, y) };
+    let run = |rows: usize, cols: usize, f: &dyn Fn(f64, f64) -> f64| {
+        let (domain, z) = ground(Edge::Closed, rows, cols, f);
+        let mut water: Vec<f64> = z.iter().map(|h| if h.is_nan() { 0.0 } else { 1.0 }).collect();
+        let (mut pipes, none) = (Pipes::new(z.len(), [10.0; 2], 0.03), vec![0.0; z.len()]);
+        let before: f64 = water.iter().sum();
+        for _ in 0..200 {
+            let dt = pipes.max_step(&water);
+            pipes.step(&domain, &z, (&rain(&none), &[]), dt, &mut water);
+        }
+        assert!((water.iter().sum::<f64>() / before - 1.0).abs() < 1e-12);
+        water
+    };
+    let (a, b) = (run(rows, cols, &f), run(cols, rows, &|x, y| f(y, x)));
+    let apart = (0..a.len()).map(|i| (a[i] - b[i % cols * rows + i / cols]).abs()).fold(0.0, f64::max);
+    assert!(apart < 1e-9, "{apart}");
+    assert!(a.iter().copied().fold(0.0, f64::max) > 3.0);
+}
