@@ -79,7 +79,7 @@ impl Water {
             return Some(Box::new(Piped::new(pipes, (domain, ground), sinks)));
         }
         let sweep = self.scratch.sweep.as_ref()?;
-        Some(Box::new(Swept { sweep, domain, ground }))
+        Some(Box::new(Swept { sweep, domain }))
     }
 
     fn sweep(

@@ -52,6 +52,8 @@ use crate::mechanism::within_map;
 
 /// Half-widths of the greatest river along the map's longer side.
 const RADII_ACROSS: f64 = 40.0;
+/// Standing water thinner than this is none, m: heights are not known as well.
+const FILM: f64 = 1e-6;
 
 /// Water between rounds, what feeds it, and scratch.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -140,15 +142,15 @@ impl Process<HeightField> for ChannelErosion {
         let ledger = water.round(self, &domain, terrain.elevation(), (rate, sinks, at.dt));
         debug_assert!(ledger.imbalance() < 1e-9, "{ledger:?}");
         let river = self.river(&terrain.grid);
-        let none = if self.transport == Transport::Pipes { vec![0.0; rate.len()] } else { Vec::new() };
-        let still = if self.transport == Transport::Pipes { &none } else { &water.depth };
-        banks(&terrain.grid, terrain.elevation(), &water.flow, still, &river, &mut scratch.banks);
+        let stands = |d: f64| if self.transport != Transport::Pipes && d > FILM { d } else { 0.0 };
+        let still = parallel::map(rate.len(), |i| stands(water.depth[i]));
+        banks(&terrain.grid, terrain.elevation(), &water.flow, &still, &river, &mut scratch.banks);
         let (weights, area) = (self.weights(), terrain.grid.cell_area());
         let ground = Ground {
             grid: &terrain.grid,
             domain: &domain,
             z: terrain.elevation(),
-            standing: still,
+            standing: &still,
             flow: &water.flow,
             banks: &scratch.banks,
             river,

@@ -106,7 +106,7 @@ impl Sediment {
             let on = came - change;
             if lake.is_none() && too_much > 0.0 {
                 // Overloaded rivers braid.
-                onward.share(Rule::Weighted, g.z[i], g.flow[i]);
+                onward.share(Rule::Weighted, ways.height(i), g.flow[i]);
             }
             if onward.is_empty() {
                 match lake {

@@ -68,7 +68,7 @@ fn fewer_and_wider_channels_reach_the_foot() {
     let threads = |t: &HeightField| {
         let q = t.fields().get(&names::DISCHARGE, "").unwrap();
         let (rows, cols) = (t.grid.shape.rows, t.grid.shape.cols);
-        let row: Vec<f64> = (0..cols).map(|c| q[(rows - 8) * cols + c]).collect();
+        let row: Vec<f64> = (0..cols).map(|c| q[(rows - 20) * cols + c]).collect();
         let total: f64 = row.iter().sum();
         // Effective number: 1 / sum of squared shares.
         total * total / row.iter().map(|v| v * v).sum::<f64>()
@@ -184,7 +184,7 @@ fn the_deeper_of_two_channels_takes_the_others_water() {
         };
         let after = run(field(rows, cols, 10.0, edges, grooves), params, rounds);
         let q = after.fields().get(&names::DISCHARGE, "").unwrap();
-        let near = |at: usize| (at - 2..=at + 2).map(|c| q[(rows - 6) * cols + c]).sum::<f64>();
+        let near = |at: usize| (at - 2..=at + 2).map(|c| q[(rows - 20) * cols + c]).sum::<f64>();
         near(16) / (near(16) + near(22))
     };
     let (early, late) = (share(1), share(300));

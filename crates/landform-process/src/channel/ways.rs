@@ -15,6 +15,8 @@ pub(super) trait Ways {
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_>;
     /// Where what passes a node goes on to, with shares; always to lower ground. `part` is the flow as a part of all water.
     fn onward(&self, node: usize, part: f64) -> Lower;
+    /// Height of a node's ground as its ways see it.
+    fn height(&self, node: usize) -> f64;
     /// The lake over a node.
     fn lake(&self, node: usize) -> Option<usize>;
     /// Surface of the lake over a node, or its ground.
@@ -25,7 +27,6 @@ pub(super) trait Ways {
 pub(super) struct Swept<'a> {
     pub(super) sweep: &'a Sweep,
     pub(super) domain: &'a RasterDomain,
-    pub(super) ground: &'a [f64],
 }
 
 impl Ways for Swept<'_> {
@@ -34,7 +35,11 @@ impl Ways for Swept<'_> {
     }
 
     fn onward(&self, node: usize, part: f64) -> Lower {
-        self.sweep.onward(self.domain, self.ground, node, part)
+        self.sweep.onward(self.domain, node, part)
+    }
+
+    fn height(&self, node: usize) -> f64 {
+        self.sweep.ran_over()[node]
     }
 
     fn lake(&self, node: usize) -> Option<usize> {
@@ -42,7 +47,7 @@ impl Ways for Swept<'_> {
     }
 
     fn surface(&self, node: usize) -> f64 {
-        self.sweep.surface(self.ground, node)
+        self.sweep.surface(node)
     }
 }
 
@@ -90,6 +95,10 @@ impl Ways for Piped<'_> {
         }
         lower.share(Rule::Weighted, z, part);
         lower
+    }
+
+    fn height(&self, node: usize) -> f64 {
+        self.ground[node]
     }
 
     fn lake(&self, node: usize) -> Option<usize> {

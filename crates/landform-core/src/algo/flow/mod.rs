@@ -1,7 +1,7 @@
 //! Where water goes: receivers, lakes through their passes, order, accumulation. Linear cost.
 //!
 //! # Method
-//! 1. *Receivers*: steepest descent (drop over distance).
+//! 1. *Receivers*: steepest descent (drop over distance); level ground is tilted first ([`flats`]).
 //! 2. *Open pits*: about half of the pits on rough ground see their way out at once ([`pits`]).
 //! 3. *Basins*: follow receivers to an outlet or a pit ([`labels`]).
 //! 4. *Passes*: links between basins, thinned to those that can be the lowest between their two basins ([`passes`]).
@@ -12,17 +12,18 @@
 //! After routing, every node reaches an outlet, and the greatest elevation along its path is the level to which water must
 //! rise there: the flooding level of Priority-Flood.
 //!
-//! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Ties are broken by slots and node numbers,
+//! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are broken by slots and node numbers,
 //! which follow from geometry, and pieces of fixed size are joined in order: the same bits on any number of threads.
 //!
 //! # Sources
 //! Braun & Willett (2013) for receivers and order; Cordonnier, Bovy & Braun (2019), algorithms 1-5, for basins, passes and
-//! carving. We differ in what is settled before basins are compared ([`pits`], [`passes`]) and in ordering by donor counts. Bell's thesis finds lake
+//! carving; Garbrecht & Martz (1997) and Barnes et al. (2014) for level ground. We differ in what is settled before basins are compared ([`pits`], [`passes`]) and in ordering by donor counts. Bell's thesis finds lake
 //! exits by list scans in O(n²) and lets a lake flow two ways; neither is repeated here.
 //!
 //! # Checked by
 //! `tests`: every node drains, area is conserved, levels equal Priority-Flood exactly, numbering and threads do not matter.
 
+mod flats;
 mod infinity;
 mod labels;
 mod multiple;
@@ -31,6 +32,7 @@ mod passes;
 mod pits;
 mod tree;
 
+pub use flats::{fall, spread_steps, tilt_flats};
 pub use infinity::{Direction, direction};
 
 use schemars::JsonSchema;
@@ -93,9 +95,11 @@ impl Flow {
             // Zeroed pages cost nothing until they are written.
             (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
         }
-        match self.descent {
-            Descent::Steepest => domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot),
-            Descent::Lowest => lowest_descent(domain, elevation, &mut self.receiver, &mut self.slot),
+        self.steepest(domain, elevation);
+        let tilted = flats::tilt(domain, elevation, &self.slot);
+        let elevation = tilted.as_deref().unwrap_or(elevation);
+        if tilted.is_some() {
+            self.steepest(domain, elevation);
         }
         let pits = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
         self.lakes = pits.all;
@@ -108,6 +112,13 @@ impl Flow {
         let passes = passes::find_passes(domain, elevation, &self.marks, &self.slot, &self.order);
         let tree = tree::spanning_tree(passes, basins);
         tree::carve(domain, tree, &self.order, basins, &mut self.receiver, &mut self.slot);
+    }
+
+    fn steepest<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
+        match self.descent {
+            Descent::Steepest => domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot),
+            Descent::Lowest => lowest_descent(domain, elevation, &mut self.receiver, &mut self.slot),
+        }
     }
 
     /// The node that receives each node's water; itself at outlets and masked nodes.

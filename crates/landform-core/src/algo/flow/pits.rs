@@ -21,21 +21,9 @@ pub(super) struct Pits {
     pub(super) closed: usize,
 }
 
-/// Gives pits on flats the equal neighbour of lower index as receiver, and pits with an open way out that way.
+/// Gives pits on flats that could not be tilted the equal neighbour of lower index as receiver, and pits with an open way out that way.
 pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) -> Pits {
-    let status = domain.status();
-    let pits: Vec<usize> = parallel::map_pieces(slot.len(), |piece| {
-        let mut pits = Vec::new();
-        // Most runs of slots hold none.
-        for first in piece.clone().step_by(RUN) {
-            let run = first..(first + RUN).min(piece.end);
-            if slot[run.clone()].iter().fold(0, |most, &s| most.max(s)) == NO_SLOT {
-                pits.extend(run.filter(|&i| slot[i] == NO_SLOT && status[i] == INTERIOR));
-            }
-        }
-        pits
-    })
-    .concat();
+    let pits = without_receiver(domain, slot);
     let lowest =
         |i: usize| domain.neighbours(i).reduce(|a: Link, b| if is_below(elevation, b.to, a.to) { b } else { a });
     let mut lowest_of = Vec::with_capacity(pits.len());
@@ -57,4 +45,21 @@ pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut
         }
     }
     found
+}
+
+/// Interior nodes without a receiver, in order.
+pub(super) fn without_receiver<D: Domain>(domain: &D, slot: &[u8]) -> Vec<usize> {
+    let status = domain.status();
+    parallel::map_pieces(slot.len(), |piece| {
+        let mut found = Vec::new();
+        // Most runs of slots hold none.
+        for first in piece.clone().step_by(RUN) {
+            let run = first..(first + RUN).min(piece.end);
+            if slot[run.clone()].iter().fold(0, |most, &s| most.max(s)) == NO_SLOT {
+                found.extend(run.filter(|&i| slot[i] == NO_SLOT && status[i] == INTERIOR));
+            }
+        }
+        found
+    })
+    .concat()
 }

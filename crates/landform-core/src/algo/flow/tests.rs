@@ -286,3 +286,34 @@ fn infinity_on_a_plane_counts_the_way_to_the_ridge() {
         assert!(mean.abs() < 0.03 && worst < 0.06, "{azimuth}: {mean} {worst}");
     }
 }
+
+#[test]
+fn level_ground_gathers_its_water_in_the_middle() {
+    // A level valley floor between two slopes, open at one end: away from the slopes, then out.
+    let (rows, cols) = (41, 21);
+    let z: Vec<f64> = (0..rows * cols).map(|i| ((i % cols) as f64 - 10.0).abs().max(5.0)).collect();
+    let mut domain = raster(rows, cols, Edges::all(Edge::Closed));
+    let mut status = vec![INTERIOR; z.len()];
+    status[40 * cols + 5..40 * cols + 16].fill(BASE_LEVEL);
+    domain.set_status(status);
+    let mut flow = Flow::new();
+    let mut area = vec![1.0; z.len()];
+    flow.route(&domain, &z, &mut area);
+    // Most of what falls above has come together on the axis.
+    let greatest = (0..cols).max_by(|&a, &b| area[30 * cols + a].total_cmp(&area[30 * cols + b])).unwrap();
+    assert!((9..=11).contains(&greatest), "{greatest}");
+    assert!(area[30 * cols + greatest] > 0.7 * (31 * cols) as f64, "{}", area[30 * cols + greatest]);
+    assert_eq!(flow.lakes(), 0);
+}
+
+#[test]
+fn a_level_floor_of_a_pit_has_its_pit_in_the_middle() {
+    let n = 15;
+    let z: Vec<f64> =
+        (0..n * n).map(|i| ((i % n) as f64 - 7.0).abs().max(((i / n) as f64 - 7.0).abs()).max(3.0)).collect();
+    let domain = raster(n, n, Edges::all(Edge::Closed));
+    let mut flow = Flow::new();
+    let mut area = vec![1.0; z.len()];
+    flow.route(&domain, &z, &mut area);
+    assert_eq!(area[7 * n + 7], (n * n) as f64);
+}

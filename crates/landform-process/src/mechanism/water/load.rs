@@ -23,13 +23,14 @@ impl Sweep {
 
     /// Surface of standing water over a node, or its ground.
     #[inline]
-    pub fn surface(&self, ground: &[f64], node: usize) -> f64 {
-        self.pools.surface(ground, node)
+    pub fn surface(&self, node: usize) -> f64 {
+        self.pools.surface(self.ran_over(), node)
     }
 
     /// Where what passes a node of the last round goes on to, with shares: with the water on dry ground, down the bed under standing
     /// water. `part` is the flow as a part of all water.
-    pub fn onward(&self, domain: &RasterDomain, ground: &[f64], node: usize, part: f64) -> Lower {
+    pub fn onward(&self, domain: &RasterDomain, node: usize, part: f64) -> Lower {
+        let ground = self.ran_over();
         let z = ground[node];
         let mut lower = Lower::default();
         if self.lake(node).is_some() {
@@ -40,7 +41,7 @@ impl Sweep {
             return lower;
         }
         for link in domain.neighbours(node).filter(|l| ground[l.to] < z) {
-            let level = self.surface(ground, link.to);
+            let level = self.surface(link.to);
             if level < z {
                 lower.push(link.to, level);
             }

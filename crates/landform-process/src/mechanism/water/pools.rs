@@ -12,12 +12,11 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use landform_core::algo::flow::{fall, spread_steps};
 use landform_core::grid::{Domain, RasterDomain};
 
 /// No pool, or no node.
 pub(super) const DRY: u32 = u32::MAX;
-/// Marks nodes of a pool in place of its number as a rim; pools are fewer.
-const MARK: u32 = 1 << 31;
 
 /// A height that is ordered totally.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -235,40 +234,36 @@ impl Pools {
         self.pools[pool as usize].exit.map(|e| e.from as usize)
     }
 
-    /// Calls `visit` with every node of a pool that water crosses on its shortest way to the exit, and how much. `net` is what came into
-    /// the pool at a node less what once left there, m of depth; it is used up. Only the last call after a round: marks are overwritten.
+    /// Calls `visit` with every node of a pool that water crosses on its way along the pool's middle to the exit, and how much. `net` is
+    /// what came into the pool at a node less what once left there, m of depth; it is used up. Only the last call after a round: marks are
+    /// overwritten.
     pub(super) fn ways_through(&mut self, domain: &RasterDomain, net: &mut [f64], mut visit: impl FnMut(usize, f64)) {
-        let mut order = Vec::new();
+        let (mut to_exit, mut to_rim) = (std::mem::take(&mut self.rim_of), std::mem::take(&mut self.from));
         for id in 0..self.pools.len() as u32 {
-            let Some(&first) = self.pools[id as usize].nodes.first() else { continue };
-            let brink = self.brink(id).filter(|&b| self.at(b) == id);
-            let root = brink.unwrap_or(first as usize);
-            // From the exit backwards, nearest first.
-            let mark = MARK | id;
-            order.clear();
-            order.push(root as u32);
-            self.rim_of[root] = mark;
-            let mut next = 0;
-            while next < order.len() {
-                let node = order[next] as usize;
-                next += 1;
-                for link in domain.neighbours(node) {
-                    if self.rim_of[link.to] != mark && self.at(link.to) == id {
-                        (self.rim_of[link.to], self.from[link.to]) = (mark, node as u32);
-                        order.push(link.to as u32);
-                    }
-                }
+            let nodes = &self.pools[id as usize].nodes;
+            let Some(&first) = nodes.first() else { continue };
+            let root = self.brink(id).filter(|&b| self.at(b) == id).unwrap_or(first as usize);
+            let joined = |_, j: usize| self.at(j) == id;
+            for &i in nodes {
+                (to_exit[i as usize], to_rim[i as usize]) = (0, 0);
             }
+            let is_rim = |i: &usize| domain.neighbours(*i).any(|l| !joined(*i, l.to));
+            spread_steps(domain, joined, nodes.iter().map(|&i| i as usize).filter(is_rim), &mut to_rim);
+            let mut order = spread_steps(domain, joined, std::iter::once(root), &mut to_exit);
+            let fall = |i: usize| fall(to_exit[i], to_rim[i]);
+            order.sort_unstable_by_key(|&i| (std::cmp::Reverse(fall(i as usize)), i));
             net[root] = net[root].max(0.0);
-            for &node in order.iter().rev() {
-                let through = std::mem::take(&mut net[node as usize]);
+            for i in order.into_iter().map(|i| i as usize) {
+                let through = std::mem::take(&mut net[i]);
                 if through != 0.0 {
-                    visit(node as usize, through.abs());
-                    if node as usize != root {
-                        net[self.from[node as usize] as usize] += through;
+                    visit(i, through.abs());
+                    let inside = domain.neighbours(i).filter(|l| joined(i, l.to));
+                    if let Some(next) = inside.min_by_key(|l| fall(l.to)).filter(|_| i != root) {
+                        net[next.to] += through;
                     }
                 }
             }
         }
+        (self.rim_of, self.from) = (to_exit, to_rim);
     }
 }

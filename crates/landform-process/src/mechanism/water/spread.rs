@@ -4,6 +4,9 @@
 //! Pytel (2015), figure 4.11 for columns and listing 4.2 for averages. Columns are levelled in closed form: neighbours are raised in
 //! order of height until the water is used up, which is what the seed's steps of raising m sites to the level of the next come to.
 
+/// Differences of height that mean nothing, m: a power of two, so that heights are rounded exactly.
+pub(super) const GRAIN: f64 = 1.0 / (1 << 22) as f64;
+
 /// Who receives how much.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
@@ -86,7 +89,9 @@ impl Lower {
         let total: f64 = match rule {
             Rule::Columns { depth } => {
                 let water = depth * part.sqrt();
-                if self.len == 1 || water <= self.list[1].1 - self.list[0].1 {
+                // On level ground rivers keep together.
+                let is_level = top - self.list[0].1 < 0.5 * GRAIN;
+                if self.len == 1 || is_level || water <= self.list[1].1 - self.list[0].1 {
                     self.list[0].2 = 1.0;
                     return;
                 }

@@ -2,18 +2,21 @@
 //!
 //! # Method
 //! Every node passes on what reached it, shared among its lower neighbours by a [`Rule`]. Pits make [`Pools`]; what leaves a pool by its
-//! exit runs on from there, also over nodes that the sweep has passed. What pools hold stays for the next round.
+//! exit runs on from there, also over nodes that the sweep has passed. What pools hold stays for the next round. Ground that differs by
+//! less than a micrometre is level, and level ground is tilted by a few units of the last place: water on it has a way, not a way for
+//! every error of rounding.
 //!
 //! **Cost** O(n) for the sweep, O(m log m) for the m nodes under standing water. One thread: every node waits for those above it.
 
 use std::collections::{BinaryHeap, HashMap};
 
+use landform_core::algo::flow::tilt_flats;
 use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, RasterDomain, Shape};
 use landform_core::parallel;
 
 use super::order::HighestFirst;
 use super::pools::{DRY, Height, Pools};
-use super::spread::{Lower, Rule};
+use super::spread::{GRAIN, Lower, Rule};
 use super::{Ledger, Supply};
 
 /// A node as the sweep sees it: ground and water side by side, since memory is what a visit waits for.
@@ -72,6 +75,8 @@ pub struct Sweep {
     net: Vec<f64>,
     /// Where most water goes, so that a visit need not look around.
     glance: Vec<Glance>,
+    /// The ground without what is less than a grain, and with its flats tilted.
+    even: Vec<f64>,
 }
 
 /// The lowest of a node's eight neighbours.
@@ -101,6 +106,7 @@ impl Sweep {
             passed: Vec::new(),
             net: Vec::new(),
             left: 0.0,
+            even: Vec::new(),
         }
     }
 
@@ -109,8 +115,25 @@ impl Sweep {
         &self.passed
     }
 
+    /// The ground that the last round ran over, within a micrometre of what it was given.
+    pub fn ran_over(&self) -> &[f64] {
+        &self.even
+    }
+
     /// One round: `standing` is the depth of standing water before, and after.
     pub fn round(&mut self, domain: &RasterDomain, ground: &[f64], supply: &Supply, standing: &mut [f64]) -> Ledger {
+        let mut even = std::mem::take(&mut self.even);
+        even.resize(ground.len(), 0.0);
+        parallel::fill(&mut even, |i| (ground[i] / GRAIN).round() * GRAIN);
+        if let Some(tilted) = tilt_flats(domain, &even) {
+            even = tilted;
+        }
+        let ledger = self.run(domain, &even, supply, standing);
+        self.even = even;
+        ledger
+    }
+
+    fn run(&mut self, domain: &RasterDomain, ground: &[f64], supply: &Supply, standing: &mut [f64]) -> Ledger {
         let n = ground.len();
         self.sites.clear();
         self.sites.extend(
@@ -214,7 +237,7 @@ impl Sweep {
         if over.is_end(i) {
             self.left += water;
         } else if pool != DRY {
-            // Level ground that a pool has already flooded.
+            // Ground that a pool has already flooded.
             if water > 0.0 {
                 let kept = self.kept(i, held);
                 self.send_to_pool(pool, i, water + kept);
@@ -366,7 +389,7 @@ impl Sweep {
     /// Water leaves a pool by its exit.
     fn leave_by(&mut self, over: &Over, exit: usize, water: f64) {
         if !self.sites[exit].is_passed() {
-            // Level ground at the exit, which the sweep has yet to reach.
+            // The sweep has yet to reach the exit.
             self.sites[exit].water += water;
             return;
         }

@@ -68,7 +68,14 @@ impl Kind {
     }
 
     #[inline(always)]
-    fn through(&self, g: [f64; 2], [wi, wj]: [f64; 2], speed: f64, before: (f64, f64), after: (f64, f64)) -> (f64, f64) {
+    fn through(
+        &self,
+        g: [f64; 2],
+        [wi, wj]: [f64; 2],
+        speed: f64,
+        before: (f64, f64),
+        after: (f64, f64),
+    ) -> (f64, f64) {
         let [hi, hj] = [g[0] + wi, g[1] + wj];
         let rise = hj - hi;
         let height = greater(hi, hj) - greater(g[0], g[1]);
