@@ -46,9 +46,9 @@ pub(super) fn tilt<D: Domain>(domain: &D, elevation: &[f64], slot: &[u8]) -> Opt
     Some(tilted)
 }
 
-/// Twice the steps to the drain less the steps to higher ground: falls by at least one with every step towards the drain.
-pub fn fall(to_drain: u32, to_rise: u32) -> i64 {
-    2 * i64::from(to_drain) - i64::from(to_rise)
+/// Twice the steps to the drain less the steps to higher ground (and a constant): falls by at least one with a step towards the drain.
+pub fn fall(to_drain: u32, to_rise: u32) -> u32 {
+    (1 << 30) + 2 * to_drain - to_rise
 }
 
 /// Counts steps from the nearest of some nodes, which count 1, over nodes that are `joined`; `steps` has one value per node, 0 where
@@ -90,12 +90,12 @@ fn lead_to_middle<D: Domain>(
 }
 
 /// Raises a flat, if it stays below all that is higher.
-fn raise<D: Domain>(domain: &D, flat: &[u32], elevation: &[f64], fall: impl Fn(usize) -> i64, tilted: &mut [f64]) {
+fn raise<D: Domain>(domain: &D, flat: &[u32], elevation: &[f64], fall: impl Fn(usize) -> u32, tilted: &mut [f64]) {
     let nodes = || flat.iter().map(|&i| i as usize);
     let falls = || nodes().map(&fall);
     let (Some(first), Some(least), Some(most)) = (nodes().next(), falls().min(), falls().max()) else { return };
     let z = elevation[first];
-    let raised = |fall: i64| z + f64::EPSILON * z.abs().max(1.0) * (fall - least + 1) as f64;
+    let raised = |fall: u32| z + f64::EPSILON * z.abs().max(1.0) * f64::from(fall - least + 1);
     let higher = nodes().flat_map(|i| domain.neighbours(i)).map(|l| elevation[l.to]).filter(|&h| h > z);
     if raised(most) < higher.fold(f64::INFINITY, f64::min) {
         nodes().for_each(|i| tilted[i] = raised(fall(i)));

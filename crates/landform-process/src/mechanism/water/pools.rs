@@ -238,27 +238,32 @@ impl Pools {
     /// what came into the pool at a node less what once left there, m of depth; it is used up. Only the last call after a round: marks are
     /// overwritten.
     pub(super) fn ways_through(&mut self, domain: &RasterDomain, net: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+        for (id, pool) in self.pools.iter().enumerate() {
+            pool.nodes.iter().for_each(|&i| self.of[i as usize] = id as u32);
+        }
         let (mut to_exit, mut to_rim) = (std::mem::take(&mut self.rim_of), std::mem::take(&mut self.from));
         for id in 0..self.pools.len() as u32 {
             let nodes = &self.pools[id as usize].nodes;
             let Some(&first) = nodes.first() else { continue };
-            let root = self.brink(id).filter(|&b| self.at(b) == id).unwrap_or(first as usize);
-            let joined = |_, j: usize| self.at(j) == id;
+            let root = self.brink(id).filter(|&b| self.of[b] == id).unwrap_or(first as usize);
+            let joined = |_, j: usize| self.of[j] == id;
             for &i in nodes {
                 (to_exit[i as usize], to_rim[i as usize]) = (0, 0);
             }
             let is_rim = |i: &usize| domain.neighbours(*i).any(|l| !joined(*i, l.to));
             spread_steps(domain, joined, nodes.iter().map(|&i| i as usize).filter(is_rim), &mut to_rim);
             let mut order = spread_steps(domain, joined, std::iter::once(root), &mut to_exit);
-            let fall = |i: usize| fall(to_exit[i], to_rim[i]);
-            order.sort_unstable_by_key(|&i| (std::cmp::Reverse(fall(i as usize)), i));
+            for &i in &order {
+                to_exit[i as usize] = fall(to_exit[i as usize], to_rim[i as usize]);
+            }
+            order.sort_unstable_by_key(|&i| (std::cmp::Reverse(to_exit[i as usize]), i));
             net[root] = net[root].max(0.0);
             for i in order.into_iter().map(|i| i as usize) {
                 let through = std::mem::take(&mut net[i]);
                 if through != 0.0 {
                     visit(i, through.abs());
                     let inside = domain.neighbours(i).filter(|l| joined(i, l.to));
-                    if let Some(next) = inside.min_by_key(|l| fall(l.to)).filter(|_| i != root) {
+                    if let Some(next) = inside.min_by_key(|l| to_exit[l.to]).filter(|_| i != root) {
                         net[next.to] += through;
                     }
                 }
