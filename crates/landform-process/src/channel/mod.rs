@@ -258,12 +258,11 @@ impl ChannelErosion {
             if z[i].is_nan() || is_real {
                 return water.depth[i];
             }
-            if surface[i] > z[i] {
-                return surface[i] - z[i];
-            }
+            // A river that crosses a shallow lake is as deep there as elsewhere.
+            let lake = if surface[i] > z[i] { surface[i] - z[i] } else { water.depth[i] };
             let bank = &scratch.banks[i];
             let beside = (bank.stage - z[i]).clamp(0.0, bank.depth);
-            water.depth[i].max(beside).max(river.depth(water.flow[i]))
+            lake.max(beside).max(river.depth(water.flow[i]))
         });
         let discharge = parallel::map(z.len(), |i| water.flow[i] * whole);
         let fields = terrain.fields_mut();
