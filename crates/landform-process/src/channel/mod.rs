@@ -259,7 +259,7 @@ impl ChannelErosion {
                 return water.depth[i];
             }
             // A river that crosses a shallow lake is as deep there as elsewhere.
-            let lake = if surface[i] > z[i] { surface[i] - z[i] } else { water.depth[i] };
+            let lake = if surface[i].is_nan() { water.depth[i] } else { (surface[i] - z[i]).max(0.0) };
             let bank = &scratch.banks[i];
             let beside = (bank.stage - z[i]).clamp(0.0, bank.depth);
             lake.max(beside).max(river.depth(water.flow[i]))

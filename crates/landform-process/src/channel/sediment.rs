@@ -137,7 +137,7 @@ fn slope_onward(g: &Ground, ways: &dyn Ways, onward: &Lower, i: usize) -> f64 {
     let fall = |(j, share): (usize, f64)| {
         let (rows, across) = ((i / cols).abs_diff(j / cols), (i % cols).abs_diff(j % cols));
         let distance = math::hypot(rows.min(1) as f64 * dy, across.min(1) as f64 * dx);
-        share * (g.z[i] - ways.surface(j)).max(0.0) / distance
+        share * (ways.height(i) - ways.surface(j)).max(0.0) / distance
     };
     onward.shares().map(fall).sum()
 }

@@ -1,10 +1,10 @@
 //! Level ground: away from what is higher, towards where it drains.
 //!
-//! Nodes without a lower neighbour but with an equal one form flats. Each node of a flat is raised by a few units of the last place:
+//! Nodes without a lower neighbour but with an equal one form flats. Each node of a flat is raised by a few units of the last place (of 1 m below 1 m):
 //! two for every step to the nearest node that drains, and one for every step by which it is nearer to higher ground than the flat's
 //! middle. Descent over the raised surface gathers water in the middle of flats and leads it out. A flat that drains nowhere (the floor
-//! of a pit) is led to its middle, where the pit then is. Where the next higher ground is nearer than what a flat would be raised by,
-//! equal nodes are told apart by their numbers, as all remaining ties are.
+//! of a pit) is led to its middle, where the pit then is (to its first node, if nothing around is higher). Where the next higher
+//! ground is nearer than what a flat would be raised by, equal nodes are told apart by their numbers, as all remaining ties are.
 //!
 //! # Sources
 //! Garbrecht & Martz (1997); Barnes, Lehman & Mulla (2014b), which weighs the two gradients 2 : 1.
@@ -19,7 +19,8 @@ pub fn tilt_flats<D: Domain>(domain: &D, elevation: &[f64]) -> Option<Vec<f64>> 
     tilt(domain, elevation, &slot)
 }
 
-/// The surface with its flats tilted; none if there are none. `slot` is what steepest descent gave. **Cost** O(nodes on flats).
+/// The surface with its flats tilted; none if there are none. `slot` is what steepest descent gave. **Cost** O(n), and some 21
+/// bytes a node while it runs, where there are any.
 pub(super) fn tilt<D: Domain>(domain: &D, elevation: &[f64], slot: &[u8]) -> Option<Vec<f64>> {
     let equals = |i: usize| domain.neighbours(i).map(|l| l.to).filter(move |&j| elevation[j] == elevation[i]);
     let level: Vec<usize> =

@@ -10,7 +10,7 @@
 //! 7. *Order and accumulation*: donors before receivers, by counting donors ([`order`]).
 //!
 //! After routing, every node reaches an outlet, and the greatest elevation along its path is the level to which water must
-//! rise there: the flooding level of Priority-Flood.
+//! rise there: the flooding level of Priority-Flood (within the tilt of level ground, where passes differ by less).
 //!
 //! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are broken by slots and node numbers,
 //! which follow from geometry, and pieces of fixed size are joined in order: the same bits on any number of threads.

@@ -60,7 +60,7 @@ impl Ledger {
     }
 }
 
-/// Nodes from the highest to the lowest, to within 2⁻³² of the relief; NaN is left out.
+/// Nodes from the highest to the lowest; NaN is left out.
 pub fn highest_first(height: &[f64]) -> Vec<usize> {
     let mut order = order::HighestFirst::default();
     order.sort(height);

@@ -3,7 +3,7 @@
 //! # Method
 //! Every node passes on what reached it, shared among its lower neighbours by a [`Rule`]. Pits make [`Pools`]; what leaves a pool by its
 //! exit runs on from there, also over nodes that the sweep has passed. What pools hold stays for the next round. Ground that differs by
-//! less than a micrometre is level, and level ground is tilted by a few units of the last place: water on it has a way, not a way for
+//! less than 2⁻²² m is level, and level ground is tilted by a few units of the last place: water on it has a way, not a way for
 //! every error of rounding.
 //!
 //! **Cost** O(n) for the sweep, O(m log m) for the m nodes under standing water. One thread: every node waits for those above it.

@@ -79,8 +79,10 @@ impl Pipes {
 
     /// Begins to sum what crosses.
     pub fn begin_sums(&mut self) {
-        self.scratch.crossed_east.clear();
-        self.scratch.crossed_south.clear();
+        for sums in [&mut self.scratch.crossed_east, &mut self.scratch.crossed_south] {
+            sums.clear();
+            sums.resize(self.east.len(), 0.0);
+        }
         self.scratch.time = 0.0;
     }
 

@@ -25,7 +25,7 @@ pub(super) struct Before<'a> {
 }
 
 impl<'a> Before<'a> {
-    /// A row of a field, or nothing beyond the map; `row` counts from one before the first.
+    /// A row of a field, or nothing beyond the map; counted from one before the first.
     fn row(&self, field: &'a [f64], row_and_one: usize) -> &'a [f64] {
         if (1..=self.rows).contains(&row_and_one) {
             &field[(row_and_one - 1) * self.cols..row_and_one * self.cols]
@@ -131,7 +131,7 @@ impl Window {
         let water = &self.water[1];
         let pipes = cols - 1;
         let mut fastest: f64 = 0.0;
-        for part in [0..pipes.min(1), 1..pipes.max(1)] {
+        for part in [0..pipes.min(1), 1..pipes.max(1)].into_iter().filter(|part| !part.is_empty()) {
             let (a, b) = (part.start, part.end);
             let line = Line {
                 ground: [&ground[a..b], &ground[a + 1..b + 1]],
