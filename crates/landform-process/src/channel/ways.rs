@@ -11,7 +11,7 @@ use crate::mechanism::water::{Lower, Pipes, Rule, Sweep, highest_first};
 
 /// Where sediment goes.
 pub(super) trait Ways {
-    /// Nodes from the highest ground to the lowest.
+    /// Nodes, higher ones before their lower neighbours.
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_>;
     /// Where what passes a node goes on to, with shares; always to lower ground. `part` is the flow as a part of all water.
     fn onward(&self, node: usize, part: f64) -> Lower;

@@ -7,9 +7,9 @@ use super::spread::{Lower, Rule};
 use super::sweep::Sweep;
 
 impl Sweep {
-    /// Nodes from the highest to the lowest, as the last round took them.
+    /// Nodes as the last round took them: higher ones before their lower neighbours.
     pub fn order(&self) -> impl Iterator<Item = usize> + '_ {
-        self.order.nodes()
+        self.order.iter().map(|i| *i as usize)
     }
 
     /// The body of standing water over a node.

@@ -13,10 +13,12 @@
 //! Pytel (2015), 4.3.1 and 4.4.3. The seed moves water by one neighbour an iteration, so that its rivers are as deep as iterations are
 //! short; here a round is long against the time that water takes to the border.
 
+mod glance;
 mod load;
 mod order;
 mod pipes;
 mod pools;
+mod runoff;
 mod spread;
 mod sweep;
 

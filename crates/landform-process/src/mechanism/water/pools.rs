@@ -39,6 +39,8 @@ impl Ord for Height {
 #[derive(Clone, Debug, Default)]
 struct Pool {
     level: f64,
+    /// Where it began.
+    pit: u32,
     nodes: Vec<u32>,
     rim: BinaryHeap<Reverse<(Height, u32)>>,
     exit: Option<Exit>,
@@ -58,31 +60,87 @@ pub(super) struct Pools {
     pools: Vec<Pool>,
     /// The pool that a pool has joined; itself if none.
     joined: Vec<u32>,
-    /// The pool of every node, as numbered when it was flooded.
-    of: Vec<u32>,
-    /// The pool whose rim last took a node in, and the node that it was reached from.
-    rim_of: Vec<u32>,
-    from: Vec<u32>,
+    marks: Vec<Mark>,
+    /// Emptied pools, for what they have allocated.
+    spare: Vec<Pool>,
+    /// Steps to a pool's exit and to its rim.
+    to_exit: Vec<u32>,
+    to_rim: Vec<u32>,
+}
+
+/// What is known of a node.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    /// Its pool, as numbered when it was flooded.
+    pool: u32,
+    /// The pool whose rim last took it in.
+    rim_of: u32,
+}
+
+const NOWHERE: Mark = Mark { pool: DRY, rim_of: DRY };
+
+/// A node's neighbours.
+struct Around {
+    list: [u32; 8],
+    len: usize,
+}
+
+impl Around {
+    #[inline]
+    fn of(domain: &RasterDomain, node: usize) -> Self {
+        let mut around = Self { list: [DRY; 8], len: 0 };
+        for link in domain.neighbours(node) {
+            around.list[around.len & 7] = link.to as u32;
+            around.len += 1;
+        }
+        around
+    }
+
+    #[inline]
+    fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        self.list.iter().take(self.len).map(|&i| i as usize)
+    }
 }
 
 impl Pools {
     /// Takes all water away.
     pub(super) fn clear(&mut self, nodes: usize) {
-        self.pools.clear();
-        self.joined.clear();
-        for list in [&mut self.of, &mut self.rim_of, &mut self.from] {
-            list.clear();
-            list.resize(nodes, DRY);
+        while let Some(pool) = self.pools.pop() {
+            self.put_by(pool);
         }
+        self.joined.clear();
+        self.marks.clear();
+        self.marks.resize(nodes, NOWHERE);
+    }
+
+    fn put_by(&mut self, mut pool: Pool) {
+        pool.nodes.clear();
+        pool.rim.clear();
+        self.spare.push(Pool { exit: None, ..pool });
     }
 
     /// The pool that a node lies in.
     #[inline]
     pub(super) fn at(&self, node: usize) -> u32 {
-        match self.of[node] {
+        match self.marks[node].pool {
             DRY => DRY,
             pool => self.root(pool),
         }
+    }
+
+    /// The pool that a node lies in, with the chain of pools that have joined shortened.
+    #[inline]
+    fn find(&mut self, node: usize) -> u32 {
+        let mut pool = self.marks[node].pool;
+        if pool == DRY {
+            return DRY;
+        }
+        while self.joined[pool as usize] != pool {
+            let next = self.joined[self.joined[pool as usize] as usize];
+            self.joined[pool as usize] = next;
+            pool = next;
+        }
+        pool
     }
 
     pub(super) fn root(&self, mut pool: u32) -> u32 {
@@ -110,19 +168,19 @@ impl Pools {
     pub(super) fn begin(&mut self, domain: &RasterDomain, ground: &[f64], pit: usize) -> u32 {
         let id = self.pools.len() as u32;
         self.joined.push(id);
-        self.pools.push(Pool { level: ground[pit], ..Pool::default() });
-        self.flood(domain, ground, id, pit);
+        let fresh = self.spare.pop().unwrap_or_default();
+        self.pools.push(Pool { level: ground[pit], pit: pit as u32, ..fresh });
+        self.flood(ground, id, pit, &Around::of(domain, pit));
         id
     }
 
-    fn flood(&mut self, domain: &RasterDomain, ground: &[f64], id: u32, node: usize) {
-        self.of[node] = id;
-        let pool = &mut self.pools[id as usize];
-        pool.nodes.push(node as u32);
-        for link in domain.neighbours(node) {
-            if self.of[link.to] != id && self.rim_of[link.to] != id {
-                (self.rim_of[link.to], self.from[link.to]) = (id, node as u32);
-                pool.rim.push(Reverse((Height(ground[link.to]), link.to as u32)));
+    fn flood(&mut self, ground: &[f64], id: u32, node: usize, around: &Around) {
+        self.marks[node].pool = id;
+        self.pools[id as usize].nodes.push(node as u32);
+        for to in around.iter() {
+            if self.marks[to].rim_of != id && self.find(to) != id {
+                self.marks[to].rim_of = id;
+                self.pools[id as usize].rim.push(Reverse((Height(ground[to]), to as u32)));
             }
         }
     }
@@ -142,10 +200,13 @@ impl Pools {
             }
             let next = loop {
                 match self.pools[id as usize].rim.peek() {
-                    Some(Reverse((_, node))) if self.at(*node as usize) == id => {
+                    Some(&Reverse((height, node))) => {
+                        if self.find(node as usize) != id {
+                            break Some((height.0, node as usize));
+                        }
                         self.pools[id as usize].rim.pop();
                     }
-                    other => break other.map(|r| (r.0.0.0, r.0.1 as usize)),
+                    None => break None,
                 }
             };
             let pool = &mut self.pools[id as usize];
@@ -166,38 +227,32 @@ impl Pools {
     /// A rising pool has reached a node of its rim: it is flooded, or the way out.
     fn reach(&mut self, domain: &RasterDomain, ground: &[f64], is_end: &impl Fn(usize) -> bool, id: u32, node: usize) {
         let level = self.pools[id as usize].level;
-        let from = domain.neighbours(node).find(|l| self.at(l.to) == id).map_or(node, |l| l.to) as u32;
-        let exit = Some(Exit { node: node as u32, from });
-        if is_end(node) {
-            self.pools[id as usize].exit = exit;
-            return;
-        }
-        match self.at(node) {
-            DRY => {}
-            other => {
-                // Only level ground lies in two pools at once.
-                self.join(ground, id, other);
-                return;
+        let around = Around::of(domain, node);
+        let (mut from, mut leads_out) = (node, false);
+        let (mut partners, mut count) = ([DRY; 8], 0);
+        for to in around.iter() {
+            match self.find(to) {
+                DRY => leads_out |= ground[to] < level,
+                other if other == id => from = to,
+                other if self.pools[other as usize].level >= level => {
+                    partners[count & 7] = other;
+                    count += 1;
+                }
+                _ => leads_out = true,
             }
         }
-        let mut leads_out = false;
-        let mut partners = Vec::new();
-        for link in domain.neighbours(node) {
-            match self.at(link.to) {
-                other if other == id => {}
-                DRY => leads_out |= ground[link.to] < level,
-                other if self.pools[other as usize].level >= level => partners.push(other),
-                other => leads_out |= self.pools[other as usize].level < level,
-            }
-        }
-        if leads_out {
-            self.pools[id as usize].exit = exit;
+        let own = self.find(node);
+        if own != DRY && !is_end(node) {
+            // Only level ground lies in two pools at once.
+            self.join(ground, id, own);
             return;
         }
-        for other in partners {
-            self.join(ground, id, other);
+        if leads_out || is_end(node) {
+            self.pools[id as usize].exit = Some(Exit { node: node as u32, from: from as u32 });
+            return;
         }
-        self.flood(domain, ground, id, node);
+        partners.into_iter().take(count).for_each(|other| self.join(ground, id, other));
+        self.flood(ground, id, node, &around);
     }
 
     /// A pool takes in another that stands at its level.
@@ -211,12 +266,16 @@ impl Pools {
         let pool = &mut self.pools[id as usize];
         // Equal but for rounding; the higher one, or water would run in a circle over the pass between them.
         pool.level = pool.level.max(taken.level);
+        if taken.nodes.len() > pool.nodes.len() {
+            std::mem::swap(&mut pool.nodes, &mut taken.nodes);
+        }
         pool.nodes.append(&mut taken.nodes);
         pool.rim.append(&mut taken.rim);
         if let Some(exit) = taken.exit {
             // It may still be one.
             pool.rim.push(Reverse((Height(ground[exit.node as usize]), exit.node)));
         }
+        self.put_by(taken);
     }
 
     /// Writes the depth of standing water.
@@ -238,27 +297,38 @@ impl Pools {
     /// what came into the pool at a node less what once left there, m of depth; it is used up. Only the last call after a round: marks are
     /// overwritten.
     pub(super) fn ways_through(&mut self, domain: &RasterDomain, net: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+        let marks = &mut self.marks;
         for (id, pool) in self.pools.iter().enumerate() {
-            pool.nodes.iter().for_each(|&i| self.of[i as usize] = id as u32);
+            pool.nodes.iter().for_each(|&i| marks[i as usize].pool = id as u32);
         }
-        let (mut to_exit, mut to_rim) = (std::mem::take(&mut self.rim_of), std::mem::take(&mut self.from));
-        for id in 0..self.pools.len() as u32 {
-            let nodes = &self.pools[id as usize].nodes;
-            let Some(&first) = nodes.first() else { continue };
-            let root = self.brink(id).filter(|&b| self.of[b] == id).unwrap_or(first as usize);
-            let joined = |_, j: usize| self.of[j] == id;
-            for &i in nodes {
+        self.to_exit.resize(marks.len(), 0);
+        self.to_rim.resize(marks.len(), 0);
+        let (marks, to_exit, to_rim) = (&self.marks, &mut self.to_exit, &mut self.to_rim);
+        for (id, pool) in self.pools.iter().enumerate().filter(|p| !p.1.nodes.is_empty()) {
+            let joined = |_, j: usize| marks[j].pool == id as u32;
+            let root = pool.exit.map(|e| e.from as usize).filter(|&b| joined(b, b)).unwrap_or(pool.pit as usize);
+            net[root] = net[root].max(0.0);
+            if let [only] = pool.nodes[..] {
+                let through = std::mem::take(&mut net[only as usize]);
+                if through != 0.0 {
+                    visit(only as usize, through);
+                }
+                continue;
+            }
+            for &i in &pool.nodes {
                 (to_exit[i as usize], to_rim[i as usize]) = (0, 0);
             }
             let is_rim = |i: &usize| domain.neighbours(*i).any(|l| !joined(*i, l.to));
-            spread_steps(domain, joined, nodes.iter().map(|&i| i as usize).filter(is_rim), &mut to_rim);
-            let mut order = spread_steps(domain, joined, std::iter::once(root), &mut to_exit);
-            for &i in &order {
-                to_exit[i as usize] = fall(to_exit[i as usize], to_rim[i as usize]);
+            spread_steps(domain, joined, pool.nodes.iter().map(|&i| i as usize).filter(is_rim), to_rim);
+            let reached = spread_steps(domain, joined, std::iter::once(root), to_exit);
+            let mut order: Vec<u64> = Vec::with_capacity(reached.len());
+            for i in reached {
+                let fall = fall(to_exit[i as usize], to_rim[i as usize]);
+                to_exit[i as usize] = fall;
+                order.push(u64::from(u32::MAX - fall) << 32 | u64::from(i));
             }
-            order.sort_unstable_by_key(|&i| (std::cmp::Reverse(to_exit[i as usize]), i));
-            net[root] = net[root].max(0.0);
-            for i in order.into_iter().map(|i| i as usize) {
+            order.sort_unstable();
+            for i in order.into_iter().map(|key| key as u32 as usize) {
                 let through = std::mem::take(&mut net[i]);
                 if through != 0.0 {
                     visit(i, through.abs());
@@ -269,6 +339,5 @@ impl Pools {
                 }
             }
         }
-        (self.rim_of, self.from) = (to_exit, to_rim);
     }
 }
