@@ -61,7 +61,7 @@ pub(super) struct Pools {
     /// The pool that a pool has joined; itself if none.
     joined: Vec<u32>,
     marks: Vec<Mark>,
-    /// Emptied pools, for what they have allocated.
+    /// Emptied small pools, for what they have allocated.
     spare: Vec<Pool>,
     /// Steps to a pool's exit and to its rim.
     to_exit: Vec<u32>,
@@ -76,6 +76,9 @@ struct Mark {
     /// The pool whose rim last took it in.
     rim_of: u32,
 }
+
+/// Lists longer than this are given back to the system: lakes are few, puddles many.
+const MOST_SPARED: usize = 64;
 
 const NOWHERE: Mark = Mark { pool: DRY, rim_of: DRY };
 
@@ -114,9 +117,11 @@ impl Pools {
     }
 
     fn put_by(&mut self, mut pool: Pool) {
-        pool.nodes.clear();
-        pool.rim.clear();
-        self.spare.push(Pool { exit: None, ..pool });
+        if (1..=MOST_SPARED).contains(&pool.nodes.capacity()) && pool.rim.capacity() <= MOST_SPARED {
+            pool.nodes.clear();
+            pool.rim.clear();
+            self.spare.push(Pool { exit: None, ..pool });
+        }
     }
 
     /// The pool that a node lies in.
