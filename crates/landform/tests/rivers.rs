@@ -3,8 +3,10 @@
 
 use std::path::Path;
 
+use landform::core::algo::flow::{Flow, node_areas};
 use landform::core::analysis::{Spectrum, spectrum};
 use landform::core::field::names;
+use landform::core::grid::{Domain, RasterDomain};
 use landform::core::math;
 use landform::core::terrain::{HeightField, NodeSurface};
 use landform::core::verb::MemoryOutput;
@@ -96,4 +98,66 @@ fn least_bending_bends_less_than_hermite() {
     };
     let (nearest, hermite, variational) = (of("nearest"), of("hermite"), of("variational"));
     assert!(variational < 0.5 * hermite && hermite < nearest, "{nearest} {hermite} {variational}");
+}
+
+/// Valleys from side to side of the slope, and valleys that join them. A valley is where contours bend: ground `REACH` nodes to either
+/// side of a river rises by a quarter as much as the river itself. Valleys are followed along the longer branch; primary ones are a
+/// quarter of the map long, secondary ones five nodes.
+fn valleys(field: &HeightField) -> (usize, usize) {
+    const REACH: isize = 3;
+    let (domain, z) = (RasterDomain::new(&field.grid, &[]), field.elevation());
+    let (rows, cols) = (field.grid.shape.rows as isize, field.grid.shape.cols as isize);
+    let mut flow = Flow::new();
+    flow.route(&domain, z, &mut node_areas(&domain));
+    let at = |row: isize, col: isize| {
+        ((0..rows).contains(&row) && (0..cols).contains(&col)).then(|| z[(row * cols + col) as usize])
+    };
+    let is_valley = |i: usize| {
+        let to = flow.receivers()[i] as usize;
+        let (row, col) = (i as isize / cols, i as isize % cols);
+        let (down, right) = (to as isize / cols - row, to as isize % cols - col);
+        let slope = (z[i] - z[to]) / math::hypot(down as f64, right as f64);
+        let sides = (at(row - REACH * right, col + REACH * down), at(row + REACH * right, col - REACH * down));
+        let (Some(a), Some(b)) = sides else { return false };
+        let across = REACH as f64 * math::hypot(down as f64, right as f64);
+        to != i && a.min(b) - z[i] > 0.25 * slope * across
+    };
+    let mut length = vec![0usize; z.len()];
+    let mut ends = Vec::new();
+    // From the springs downwards: the longer branch goes on, the shorter ends.
+    for &i in flow.order() {
+        let i = i as usize;
+        if !is_valley(i) {
+            continue;
+        }
+        length[i] += 1;
+        let to = flow.receivers()[i] as usize;
+        if is_valley(to) {
+            ends.push((length[i].min(length[to]), true));
+            length[to] = length[to].max(length[i]);
+        } else {
+            ends.push((length[i], false));
+        }
+    }
+    let of = |joins: bool, least: usize| ends.iter().filter(|e| e.1 == joins && e.0 >= least).count();
+    (of(false, rows as usize / 4), of(true, 5))
+}
+
+#[test]
+fn secondary_valleys_grow_where_cutting_wins_over_smoothing() {
+    // WC9: table 4.7 as in the gallery; (b) is steady long before the gallery's last round.
+    let of = |exponent: f64, rounds: u32, [avalanche, flow, diffusion, advection, uplift]: [f64; 5]| {
+        valleys(&run(&format!(
+            "seed = 23\n[[stage]]\nuse = \"surface\"\nsize = [\"1280 m\", \"1280 m\"]\ncell_size = \"10 m\"\n\
+             elevation = {{ formula = \"2 + 0*x\", unit = \"m\" }}\n\
+             [[stage]]\nuse = \"blend\"\nlayer = {{ use = \"spectral_fbm\", deviation = \"0.5 m\", hurst = 0.5 }}\n\
+             [[stage]]\nuse = \"channel_erosion\"\nsmoothing = \"everywhere\"\niterations = {rounds}\noutlets = [\"north\", \"south\"]\n\
+             flow_exponent = {exponent}\navalanche_weight = {avalanche}\nflow_weight = {flow}\ndiffusion_weight = {diffusion}\n\
+             advection_weight = {advection}\nuplift_weight = {uplift}\nbase_weight = 0.0\n"
+        )))
+    };
+    let (primary, secondary) = of(1.0, 600, [30.0, 300.0, 20.0, 3.0, 0.03]);
+    assert!(primary >= 2 && 2 * secondary < primary, "{primary} {secondary}");
+    let (primary, secondary) = of(0.3, 600, [0.0, 50_000.0, 0.45, 0.75, 0.045]);
+    assert!(primary >= 2 && secondary > 2 * primary, "{primary} {secondary}");
 }
