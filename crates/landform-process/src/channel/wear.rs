@@ -171,15 +171,6 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
     out
 }
 
-/// How a node is smoothed.
-#[derive(Clone, Copy)]
-struct Smooth {
-    /// k of the equation; 0 for nodes that are not smoothed.
-    strength: f64,
-    /// 1 / (1 + k Σ c) where all four neighbours are there, else 0.
-    share: f64,
-}
-
 /// Solves (1 + k Σ c) z' − k Σ c z'_j = z by Jacobi's sweeps, c = 1/dx² and 1/dy².
 fn smooth(g: &Ground, cut: &[Cut], strength: impl Fn(usize) -> f64 + Sync) -> Vec<f64> {
     let [dx, dy] = g.grid.spacing;
@@ -187,39 +178,58 @@ fn smooth(g: &Ground, cut: &[Cut], strength: impl Fn(usize) -> f64 + Sync) -> Ve
     let least = FAINT * dx.min(dy) * dx.min(dy);
     let (cols, rows) = (g.grid.shape.cols, g.grid.shape.rows);
     let status = g.domain.status();
-    let how = parallel::map(cut.len(), |i| {
-        let k = strength(i);
-        if k < least {
-            return Smooth { strength: 0.0, share: 0.0 };
-        }
+    let is_whole = |i: usize| {
         let (row, col) = (i / cols, i % cols);
         let is_inside = row > 0 && row + 1 < rows && col > 0 && col + 1 < cols;
-        let is_whole = is_inside && [i - 1, i + 1, i - cols, i + cols].iter().all(|&j| status[j] != MASKED);
-        Smooth { strength: k, share: if is_whole { 1.0 / (1.0 + 2.0 * k * (cx + cy)) } else { 0.0 } }
+        is_inside && [i - 1, i + 1, i - cols, i + cols].iter().all(|&j| status[j] != MASKED)
+    };
+    // k / (1 + k Σ c) where all four neighbours are there; 0 for what is not smoothed, k < 0 for what has fewer neighbours.
+    let share = parallel::map(cut.len(), |i| match strength(i) {
+        k if k < least => 0.0,
+        k if is_whole(i) => k / (1.0 + 2.0 * k * (cx + cy)),
+        k => -k,
     });
-    let mut now = parallel::map(cut.len(), |i| cut[i].z);
-    let mut next = now.clone();
+    let beside: Vec<usize> = (0..cut.len()).filter(|&i| share[i] < 0.0).collect();
+    let z = parallel::map(cut.len(), |i| cut[i].z);
+    let (mut now, mut next) = (z.clone(), z.clone());
     for _ in 0..SWEEPS {
-        parallel::fill(&mut next, |i| {
-            // By differences, so that level ground stays level to the bit.
-            let (Smooth { strength: k, share }, z) = (how[i], cut[i].z);
-            if share > 0.0 {
-                let across = (now[i - 1] - z) + (now[i + 1] - z);
-                let down = (now[i - cols] - z) + (now[i + cols] - z);
-                return z + k * share * (cx * across + cy * down);
+        parallel::for_rows_mut(&mut next, cols, |row, out| {
+            if row > 0 && row + 1 < rows && cols > 2 {
+                smooth_row(row * cols, out, &share, &z, &now, [cx, cy]);
             }
-            if k == 0.0 {
-                return z;
-            }
+        });
+        for &i in &beside {
+            let k = -share[i];
             let (mut weight, mut sum) = (1.0, 0.0);
             for link in g.domain.neighbours(i).filter(|l| l.slot % 2 == 0) {
                 let c = k / (link.distance * link.distance);
                 weight += c;
-                sum += c * (now[link.to] - z);
+                sum += c * (now[link.to] - z[i]);
             }
-            z + sum / weight
-        });
+            next[i] = z[i] + sum / weight;
+        }
         std::mem::swap(&mut now, &mut next);
     }
     now
+}
+
+/// One sweep over a row that starts at node `first`: `out` from `now`. Without branches, so that it runs on vectors.
+fn smooth_row(first: usize, out: &mut [f64], share: &[f64], z: &[f64], now: &[f64], [cx, cy]: [f64; 2]) {
+    let cols = out.len();
+    let inner = |list| row_of(list, first + 1, cols - 2);
+    let (share, z) = (inner(share), inner(z));
+    let (up, down) = (row_of(now, first + 1 - cols, cols - 2), row_of(now, first + 1 + cols, cols - 2));
+    let (left, right) = (row_of(now, first, cols - 2), row_of(now, first + 2, cols - 2));
+    for (k, out) in out[1..cols - 1].iter_mut().enumerate() {
+        // By differences, so that level ground stays level to the bit.
+        let across = (left[k] - z[k]) + (right[k] - z[k]);
+        let along = (up[k] - z[k]) + (down[k] - z[k]);
+        let smooth = z[k] + share[k] * (cx * across + cy * along);
+        // Beside nodata the sums are NaN.
+        *out = if share[k] > 0.0 { smooth } else { z[k] };
+    }
+}
+
+fn row_of(list: &[f64], first: usize, len: usize) -> &[f64] {
+    &list[first..first + len]
 }
