@@ -6,7 +6,6 @@ use std::path::Path;
 use landform::core::algo::flow::{Flow, node_areas};
 use landform::core::analysis::{Spectrum, spectrum};
 use landform::core::field::names;
-use landform::core::grid::{Domain, RasterDomain};
 use landform::core::math;
 use landform::core::terrain::{HeightField, NodeSurface};
 use landform::core::verb::MemoryOutput;
@@ -100,15 +99,15 @@ fn least_bending_bends_less_than_hermite() {
     assert!(variational < 0.5 * hermite && hermite < nearest, "{nearest} {hermite} {variational}");
 }
 
-/// Valleys from side to side of the slope, and valleys that join them. A valley is where contours bend: ground `REACH` nodes to either
+/// Valleys at least half as long as the slope, and valleys that join them. A valley is where contours bend: ground `REACH` nodes to either
 /// side of a river rises by a quarter as much as the river itself. Valleys are followed along the longer branch; primary ones are a
 /// quarter of the map long, secondary ones five nodes.
 fn valleys(field: &HeightField) -> (usize, usize) {
     const REACH: isize = 3;
-    let (domain, z) = (RasterDomain::new(&field.grid, &[]), field.elevation());
+    let (domain, z) = (field.domain(), field.elevation());
     let (rows, cols) = (field.grid.shape.rows as isize, field.grid.shape.cols as isize);
     let mut flow = Flow::new();
-    flow.route(&domain, z, &mut node_areas(&domain));
+    flow.route(&*domain, z, &mut node_areas(&*domain));
     let at = |row: isize, col: isize| {
         ((0..rows).contains(&row) && (0..cols).contains(&col)).then(|| z[(row * cols + col) as usize])
     };

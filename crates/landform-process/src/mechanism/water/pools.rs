@@ -7,7 +7,7 @@
 //!
 //! # Sources
 //! The flood is that of Priority-Flood (Barnes, Lehman & Mulla 2014) with a volume; that finite water fills, spills and merges is
-//! Barnes, Callaghan & Wickert (2021), without their hierarchy: pools are few and come and go with the ground.
+//! Barnes, Callaghan & Wickert (2021), without their hierarchy: pools come and go with the ground.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -78,7 +78,7 @@ struct Mark {
 }
 
 /// Lists longer than this are given back to the system: lakes are few, puddles many.
-const MOST_SPARED: usize = 64;
+const MOST_SPARED: usize = 16;
 
 const NOWHERE: Mark = Mark { pool: DRY, rim_of: DRY };
 
@@ -108,6 +108,7 @@ impl Around {
 impl Pools {
     /// Takes all water away.
     pub(super) fn clear(&mut self, nodes: usize) {
+        self.spare.truncate(self.pools.len());
         while let Some(pool) = self.pools.pop() {
             self.put_by(pool);
         }
@@ -299,8 +300,7 @@ impl Pools {
     }
 
     /// Calls `visit` with every node of a pool that water crosses on its way along the pool's middle to the exit, and how much. `net` is
-    /// what came into the pool at a node less what once left there, m of depth; it is used up. Only the last call after a round: marks are
-    /// overwritten.
+    /// what came into the pool at a node less what once left there, m of depth; it is used up.
     pub(super) fn ways_through(&mut self, domain: &RasterDomain, net: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         let marks = &mut self.marks;
         for (id, pool) in self.pools.iter().enumerate() {

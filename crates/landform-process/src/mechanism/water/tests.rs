@@ -300,3 +300,33 @@ fn pipes_in_a_single_column_or_row_run_too() {
         assert!(z.len() == 1 || water[0] > 1.0, "it runs down");
     }
 }
+
+#[test]
+fn every_node_is_taken_once_and_after_its_higher_neighbours() {
+    // Strips, seams and holes.
+    for (rows, cols) in [(1, 1), (1, 9), (9, 1), (2, 9), (9, 2), (3, 3), (13, 17)] {
+        for (edge, hole) in [Edge::Open, Edge::Closed, Edge::Periodic].into_iter().flat_map(|e| [(e, false), (e, true)])
+        {
+            let mut grid = Grid::new(Shape::new(rows, cols), [10.0; 2]).unwrap();
+            grid.edges = Edges::all(edge);
+            let valid: Vec<bool> = (0..grid.len()).map(|i| !hole || i % 7 != 3).collect();
+            let domain = RasterDomain::new(&grid, &valid);
+            let z: Vec<f64> = (0..grid.len()).map(|i| rough((i % cols) as f64, (i / cols) as f64).floor()).collect();
+            let depth: Vec<f64> = valid.iter().map(|&v| f64::from(u8::from(v))).collect();
+            let (mut water, mut sweep) = (vec![0.0; z.len()], Sweep::new(RULES[0]));
+            for _ in 0..3 {
+                let ledger = sweep.round(&domain, &z, &rain(&depth), &mut water);
+                assert!(ledger.imbalance() < 1e-12, "{rows} {cols} {edge:?} {hole} {ledger:?}");
+            }
+            let mut place = vec![usize::MAX; z.len()];
+            for (k, i) in sweep.order().enumerate() {
+                assert_eq!(std::mem::replace(&mut place[i], k), usize::MAX, "once");
+            }
+            let height = sweep.ran_over();
+            for i in (0..z.len()).filter(|&i| valid[i]) {
+                let late = domain.neighbours(i).any(|l| height[l.to] > height[i] && place[l.to] > place[i]);
+                assert!(place[i] != usize::MAX && !late, "{rows} {cols} {edge:?} {hole}");
+            }
+        }
+    }
+}
