@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use landform_core::algo::flow::Flow;
 use landform_core::algo::outline::label_regions;
-use landform_core::grid::{Domain, RasterDomain};
+use landform_core::grid::RasterDomain;
 use landform_core::parallel;
 
 use crate::mechanism::water::{Lower, Pipes, Rule, Sweep, highest_first};
@@ -89,9 +89,7 @@ impl Ways for Piped<'_> {
             }
         }
         if lower.is_empty() {
-            for link in self.domain.neighbours(node).filter(|l| self.ground[l.to] < z) {
-                lower.push(link.to, self.ground[link.to]);
-            }
+            lower = Lower::around(self.domain, self.ground, node, |to| self.ground[to]);
         }
         lower.share(Rule::Weighted, z, part);
         lower

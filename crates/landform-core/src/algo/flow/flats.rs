@@ -1,8 +1,8 @@
 //! Level ground: away from what is higher, towards where it drains.
 //!
-//! Nodes without a lower neighbour but with an equal one form flats. Each node of a flat is raised by a few units of the last place (of 1 m below 1 m):
-//! two for every step to the nearest node that drains, and one for every step by which it is nearer to higher ground than the flat's
-//! middle. Descent over the raised surface gathers water in the middle of flats and leads it out. A flat that drains nowhere (the floor
+//! Nodes without a lower neighbour but with an equal one form flats. Each node of a flat is raised by a few units of the last place
+//! (of 1 m below 1 m): two for every step to the nearest node that drains, and one for every step by which it is nearer to higher
+//! ground than the flat's middle. Descent over the raised surface gathers water in the middle of flats and leads it out. A flat that drains nowhere (the floor
 //! of a pit) is led to its middle, where the pit then is (to its first node, if nothing around is higher). Where the next higher
 //! ground is nearer than what a flat would be raised by, equal nodes are told apart by their numbers, as all remaining ties are.
 //!

@@ -1,6 +1,6 @@
 //! What water carries: its ways after a round, for sediment to follow.
 
-use landform_core::grid::{Domain, RasterDomain};
+use landform_core::grid::RasterDomain;
 
 use super::pools::DRY;
 use super::spread::{Lower, Rule};
@@ -31,22 +31,13 @@ impl Sweep {
     /// water. `part` is the flow as a part of all water.
     pub fn onward(&self, domain: &RasterDomain, node: usize, part: f64) -> Lower {
         let ground = self.ran_over();
-        let z = ground[node];
-        let mut lower = Lower::default();
         if self.lake(node).is_some() {
-            for link in domain.neighbours(node).filter(|l| ground[l.to] < z) {
-                lower.push(link.to, ground[link.to]);
-            }
-            lower.share(Rule::Weighted, z, part);
+            let mut lower = Lower::around(domain, ground, node, |to| ground[to]);
+            lower.share(Rule::Weighted, ground[node], part);
             return lower;
         }
-        for link in domain.neighbours(node).filter(|l| ground[l.to] < z) {
-            let level = self.surface(link.to);
-            if level < z {
-                lower.push(link.to, level);
-            }
-        }
-        lower.share(self.rule, z, part);
+        let mut lower = Lower::around(domain, ground, node, |to| self.surface(to));
+        lower.share(self.rule, ground[node], part);
         lower
     }
 }

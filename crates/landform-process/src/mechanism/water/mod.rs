@@ -22,6 +22,7 @@ mod runoff;
 mod spread;
 mod sweep;
 
+pub use order::highest_first;
 pub use pipes::Pipes;
 pub use spread::{Lower, Rule};
 pub use sweep::Sweep;
@@ -60,13 +61,6 @@ impl Ledger {
         let all = self.before + self.entered;
         if all > 0.0 { ((all - self.stored - self.left - self.evaporated) / all).abs() } else { 0.0 }
     }
-}
-
-/// Nodes from the highest to the lowest; NaN is left out.
-pub fn highest_first(height: &[f64]) -> Vec<usize> {
-    let mut order = order::HighestFirst::default();
-    order.sort(height);
-    order.nodes().collect()
 }
 
 #[cfg(test)]

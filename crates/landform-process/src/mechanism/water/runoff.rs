@@ -1,7 +1,5 @@
 //! What runs on from pools: late water, over ground where the first water has been.
 
-use landform_core::grid::Domain;
-
 use super::pools::{DRY, Height};
 use super::spread::Lower;
 use super::sweep::{Over, Sweep};
@@ -56,7 +54,8 @@ impl Sweep {
             self.send_to_pool(pool, i, water);
             return;
         }
-        let mut lower = self.lower_surfaces(over, i);
+        // Standing water counts with its surface.
+        let mut lower = Lower::around(over.domain, over.ground, i, |to| self.pools.surface(over.ground, to));
         if lower.is_empty() {
             self.new_pool(over, i, water, 0.0);
             return;
@@ -76,19 +75,6 @@ impl Sweep {
                 }
             }
         }
-    }
-
-    /// Lower neighbours of a node; standing water counts with its surface.
-    fn lower_surfaces(&self, over: &Over, i: usize) -> Lower {
-        let mut lower = Lower::default();
-        let z = over.ground[i];
-        for link in over.domain.neighbours(i).filter(|l| over.ground[l.to] < z) {
-            let level = self.pools.surface(over.ground, link.to);
-            if level < z {
-                lower.push(link.to, level);
-            }
-        }
-        lower
     }
 
     fn send_to_node(&mut self, over: &Over, node: usize, amount: f64) {

@@ -4,6 +4,8 @@
 //! Pytel (2015), figure 4.11 for columns and listing 4.2 for averages. Columns are levelled in closed form: neighbours are raised in
 //! order of height until the water is used up, which is what the seed's steps of raising m sites to the level of the next come to.
 
+use landform_core::grid::{Domain, RasterDomain};
+
 /// Differences of height that mean nothing, m: a power of two, so that heights are rounded exactly.
 pub(super) const GRAIN: f64 = 1.0 / (1 << 22) as f64;
 
@@ -30,6 +32,19 @@ pub struct Lower {
 }
 
 impl Lower {
+    /// The neighbours whose ground is lower than a node's, with the levels that `level` tells; those that are not lower by it are left out.
+    #[inline]
+    pub fn around(domain: &RasterDomain, ground: &[f64], node: usize, level: impl Fn(usize) -> f64) -> Self {
+        let (z, mut lower) = (ground[node], Self::default());
+        for link in domain.neighbours(node).filter(|l| ground[l.to] < z) {
+            let level = level(link.to);
+            if level < z {
+                lower.push(link.to, level);
+            }
+        }
+        lower
+    }
+
     /// Adds a neighbour, by height.
     #[inline]
     pub fn push(&mut self, node: usize, level: f64) {

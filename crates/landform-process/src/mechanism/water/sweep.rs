@@ -217,14 +217,12 @@ impl Sweep {
             self.passed[glances.neighbour(i, place)] += water;
             return;
         }
-        let mut lower = Lower::default();
-        let z = over.ground[i];
-        over.domain.neighbours(i).filter(|l| over.ground[l.to] < z).for_each(|l| lower.push(l.to, over.ground[l.to]));
+        let mut lower = Lower::around(over.domain, over.ground, i, |to| over.ground[to]);
         if lower.is_empty() {
             pits.push(i as u32);
             return;
         }
-        lower.share(self.rule, z, self.part(over, i));
+        lower.share(self.rule, over.ground[i], self.part(over, i));
         lower.shares().for_each(|(j, share)| self.passed[j] += water * share);
     }
 

@@ -60,6 +60,9 @@ fn level_ground_keeps_its_water() {
         }
         let wrong = (0..z.len()).filter(|&i| (z[i] + water[i] - level[i]).abs() > 3e-7).count();
         assert_eq!(wrong, 0, "{rule:?}");
+        let even = flood_levels(&domain, sweep.ran_over());
+        let wrong = (0..z.len()).filter(|&i| (sweep.ran_over()[i] + water[i] - even[i]).abs() > 1e-9).count();
+        assert_eq!(wrong, 0, "{rule:?}");
     }
 }
 
@@ -77,6 +80,9 @@ fn hollows_fill_to_the_level_of_priority_flood() {
         let worst = (0..z.len()).map(|i| (z[i] + water[i] - level[i]).abs()).fold(0.0, f64::max);
         let wrong = (0..z.len()).filter(|&i| (z[i] + water[i] - level[i]).abs() > 3e-7).count();
         assert_eq!(wrong, 0, "{rule:?} in {rounds}: {worst}");
+        let even = flood_levels(&domain, sweep.ran_over());
+        let wrong = (0..z.len()).filter(|&i| (sweep.ran_over()[i] + water[i] - even[i]).abs() > 1e-9).count();
+        assert_eq!(wrong, 0, "{rule:?} in {rounds}");
     }
 }
 
