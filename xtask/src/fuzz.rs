@@ -50,19 +50,13 @@ fn seeds(write: Write) -> Vec<Vec<u8>> {
         let Ok(grid) = Grid::new(Shape::new(rows, cols), [10.0, 10.0]) else { continue };
         let z = (0..grid.len()).map(|i| if i % 11 == 5 { f64::NAN } else { (i as f64).sqrt() * 7.0 }).collect();
         let Ok(field) = HeightField::new(grid, z) else { continue };
-        for data_type in [DataType::Float32, DataType::Int16] {
+        for data_type in [DataType::Float32, DataType::Float64, DataType::Int16] {
             for compression in [Compression::Deflate, Compression::Lzw, Compression::None] {
                 for tile in [Some(16), None] {
                     let geotiff = GeotiffOptions { data_type, compression, tile };
                     let values = field.elevation();
-                    all.extend(write(&RasterFile {
-                        grid: &field.grid,
-                        values,
-                        field: "elevation",
-                        unit: "m",
-                        seed: 0,
-                        geotiff,
-                    }));
+                    let file = RasterFile::real(field.grid(), values, "elevation", "m", 0);
+                    all.extend(write(&RasterFile { geotiff, ..file }));
                 }
             }
         }

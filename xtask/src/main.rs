@@ -3,7 +3,9 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command line speaks")]
 
 mod fuzz;
+mod instructions;
 mod layers;
+mod peers;
 mod reproduce;
 mod validate;
 
@@ -12,10 +14,12 @@ use std::process::{Command, ExitCode};
 const HELP: &str = "cargo xtask COMMAND
   ci                  tests, fmt, clippy, docs, layers: what CI runs
   layers              checks who imports whom
+  instructions [--accept]  counts instructions of hot paths against those kept, or keeps what is counted now
   gallery [--accept]  runs the gallery's goldens, or accepts what comes out now
   fuzz [SECONDS]      throws damaged files at every reader, SECONDS each (60)
   reproduce NAME      a thesis' tables and figures, ours beside its own (docs); without a name: which there are
   validate            convergence studies; prints tables
+  peers TASK          a task of other programs' benchmarks, one line of JSON (build with --release)
   bench               cargo bench";
 
 fn main() -> ExitCode {
@@ -23,10 +27,12 @@ fn main() -> ExitCode {
     let done = match args.first().map(String::as_str) {
         Some("ci") => ci(),
         Some("layers") => layers::check(),
+        Some("instructions") => instructions::run(args.iter().any(|a| a == "--accept")),
         Some("gallery") => gallery(args.iter().any(|a| a == "--accept")),
         Some("fuzz") => fuzz::run(args.get(1).and_then(|s| s.parse().ok()).unwrap_or(60.0)),
         Some("reproduce") => reproduce::run(&args[1..]),
         Some("validate") => validate::run(),
+        Some("peers") => peers::run(&args[1..]),
         Some("bench") => cargo(&["bench", "--workspace"], &[]),
         _ => {
             println!("{HELP}");
@@ -52,4 +58,5 @@ fn ci() -> bool {
         && cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])
         && cargo(&["doc", "--workspace", "--no-deps", "--document-private-items"], &[("RUSTDOCFLAGS", "-D warnings")])
         && layers::check()
+        && instructions::run(false)
 }

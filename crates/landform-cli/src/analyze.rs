@@ -66,7 +66,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     }
     summary(&analysis);
     let title = ground::name(&args.input);
-    let landscape = Landscape { terrain: &field, history: &[], seed: 0, title: &title };
+    let mut landscape = Landscape::plain(&field);
+    landscape.title = &title;
     if let Some(path) = &args.json {
         write_whole(path, analysis.json().as_bytes())?;
         say!("{}", path.display());

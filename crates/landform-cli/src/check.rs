@@ -29,6 +29,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let cache = args.output.as_ref().map(|o| o.join(".landform/cache"));
     let plan = recipe.plan(cache.as_deref(), &salt()).map_err(about(&args.recipe))?;
     say!("{} (seed {})", recipe.title, recipe.seed);
+    recipe.notes.iter().for_each(|note| say!("note: {note}"));
     print_plan(&plan);
     let free = memory::available().map(|m| format!(" of {} free", bytes_text(m))).unwrap_or_default();
     say!("memory: about {}{free}", bytes_text(plan.bytes));
@@ -45,7 +46,7 @@ fn print_plan(plan: &Plan) {
             stage.verb.title(),
             format!("{label}{}", stage.name),
             stage.nodes,
-            stage.kind,
+            stage.kind.map_or("", |k| k.name()),
             bytes_text(stage.bytes)
         );
     }

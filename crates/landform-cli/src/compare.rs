@@ -125,10 +125,10 @@ fn onto(a: Ground, b: Ground, scaled: bool) -> landform::core::Result<(HeightFie
         let ((al, ah), (bl, bh)) = (range(ga), range(gb));
         ah.min(bh) - al.max(bl) > 0.1 * (ah - al)
     });
-    if !overlap || a.field.grid.georeference != ga.georeference {
+    if !overlap || a.field.grid().georeference != ga.georeference {
         return apart("they hardly overlap, or are in degrees: warp them to one raster");
     }
     say!("note: B was brought to A's raster: {}", place(gb));
-    let b = resample(&b.field, &a.field.grid, Interpolation::Linear)?;
+    let b = resample(&b.field, a.field.grid(), Interpolation::Linear)?;
     Ok((a.field, b))
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use landform::core::terrain::NodeSurface;
 use landform::io::files::write_whole;
 use landform::io::format::{
-    GeotiffOptions, RasterFile, load_raster, mesh_file_from_height_field, mesh_format, raster_format,
+    RasterFile, load_raster, mesh_file_from_height_field, mesh_format, raster_format, sidecar_path,
 };
 
 use crate::show_error::Failure;
@@ -31,17 +31,11 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         write_whole(&args.output, &(format.write)(&mesh_file_from_height_field(&terrain))?)?;
     } else {
         let format = raster?;
-        let file = RasterFile {
-            grid: &terrain.grid,
-            values: terrain.elevation(),
-            field: "elevation",
-            unit: "m",
-            seed: 0,
-            geotiff: GeotiffOptions::default(),
-        };
+        let file = RasterFile::real(terrain.grid(), terrain.elevation(), "elevation", "m", 0);
         write_whole(&args.output, &(format.write)(&file)?)?;
         if let Some(sidecar) = format.sidecar(&file) {
-            write_whole(&args.output.with_extension("landform.json"), &sidecar.text()?)?;
+            let beside = sidecar_path(&args.output.display().to_string());
+            write_whole(beside.as_ref(), &sidecar.text()?)?;
         }
     }
     say!("{}", args.output.display());

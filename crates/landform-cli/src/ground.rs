@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use landform::core::grid::{Edges, Grid};
-use landform::core::terrain::{HeightField, Interpolation, NodeSurface, resample};
+use landform::core::terrain::{HeightField, Interpolation, Layer, NodeSurface, resample};
 use landform::core::units::Length;
 use landform::core::{Error, Result};
 use landform::io::format::load_raster;
@@ -40,30 +40,30 @@ pub(crate) struct Ground {
 /// A file in metres.
 pub(crate) fn load(path: &Path, scale: &Scale) -> Result<Ground> {
     let mut field = load_raster(path)?;
-    let grid = field.grid.clone();
+    let grid = field.grid().clone();
     let mut notes = Vec::new();
     if let Some(text) = &scale.cell_size {
         let cell = positive("cell_size", text)?;
-        field.grid.spacing = [cell, cell];
-        field.grid.origin = [0.0, field.grid.extent()[1]];
-        field.grid.georeference = Default::default();
+        let mut square = Grid { spacing: [cell, cell], georeference: Default::default(), ..field.grid().clone() };
+        square.origin = [0.0, square.extent()[1]];
+        field.set_grid(square)?;
     } else if in_degrees(&field) {
         let error = metres_from_degrees(&mut field)?;
-        let [dx, dy] = field.grid.spacing;
+        let [dx, dy] = field.grid().spacing;
         notes.push(format!(
             "degrees taken as metres at the middle latitude: cells of {dx:.2} x {dy:.2} m, at most {:.2} % wrong at the sides",
             100.0 * error
         ));
-        if (dx / dy - 1.0).abs() > 0.01 && field.grid.shape.rows > 1 && field.grid.shape.cols > 1 {
+        if (dx / dy - 1.0).abs() > 0.01 && field.grid().shape.rows > 1 && field.grid().shape.cols > 1 {
             let side = (dx * dy).sqrt();
-            field = resample(&field, &field.grid.with_cell_size(side)?, Interpolation::Linear)?;
+            field = resample(&field, &field.grid().with_cell_size(side)?, Interpolation::Linear)?;
             notes.push(format!("brought to square cells of {side:.2} m, as those that the natural ranges were measured on (slopes fall by 1 to 4 %)"));
         }
     }
     if let Some(text) = &scale.relief {
         stretch(&mut field, positive("relief", text)?);
     }
-    field.grid.edges = Edges::default();
+    field.set_grid(Grid { edges: Edges::default(), ..field.grid().clone() })?;
     Ok(Ground { field, notes, grid })
 }
 
@@ -82,7 +82,8 @@ fn stretch(field: &mut HeightField, relief: f64) {
     let finite = field.elevation().iter().filter(|z| z.is_finite());
     let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
     if hi > lo {
-        field.elevation_mut().iter_mut().for_each(|z| *z = (*z - lo) * relief / (hi - lo));
+        let scale = relief / (hi - lo);
+        field.change(Layer::Bedrock, |z| z.iter_mut().for_each(|z| *z = (*z - lo) * scale));
     }
 }
 

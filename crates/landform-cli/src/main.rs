@@ -15,12 +15,13 @@ macro_rules! say {
 }
 
 mod analyze;
-mod bench;
 mod check;
 mod cite;
 mod compare;
+mod completions;
 mod convert;
 mod ground;
+mod man;
 mod memory;
 mod new;
 mod progress;
@@ -33,13 +34,13 @@ mod vary;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 /// Grows landscapes from natural processes.
 #[derive(Parser)]
 #[command(
     name = "landform",
-    version,
+    version = concat!(env!("CARGO_PKG_VERSION"), " (", env!("LANDFORM_BUILD"), ")"),
     about,
     after_help = "Begin with: landform new mountains; landform run mountains.toml -o out"
 )]
@@ -72,9 +73,10 @@ enum Command {
     Render(render::Args),
     /// Turns a raster into another raster, or into a mesh.
     Convert(convert::Args),
-    /// Measures speed on one task and prints one line of JSON.
-    #[command(hide = true)]
-    Bench(bench::Args),
+    /// Prints what a shell needs to complete commands.
+    Completions(completions::Args),
+    /// Writes man pages into a folder.
+    Man(man::Args),
 }
 
 fn main() -> ExitCode {
@@ -91,7 +93,8 @@ fn main() -> ExitCode {
         Command::Compare(args) => compare::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Convert(args) => convert::run(&args),
-        Command::Bench(args) => bench::run(&args),
+        Command::Completions(args) => completions::run(&args, Cli::command()),
+        Command::Man(args) => man::run(&args, Cli::command()),
     };
     result.unwrap_or_else(|failure| {
         show_error::show(&failure);

@@ -55,7 +55,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         },
         path: args.output.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
         size: args.size,
-        from: angle(&args.from, defaults.from)?,
+        view_from: angle(&args.from, defaults.view_from)?,
         tilt: angle(&args.tilt, defaults.tilt)?,
         exaggeration: args.exaggeration,
         zoom: args.zoom,

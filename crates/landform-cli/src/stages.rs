@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use landform::core::error::nearest;
 use landform::core::{Error, Result};
-use landform::recipe::{STAGES, Verb, catalogue, describe, parameters};
+use landform::recipe::{Verb, catalogue, describe, parameters, stages};
 
 use crate::show_error::Failure;
 
@@ -45,8 +45,7 @@ fn all() {
 
 fn one(name: &str) -> Result<()> {
     let Some(parameters) = parameters(name) else {
-        let hint =
-            nearest(name, STAGES.iter().map(|s| s.name).chain(["evolve"])).map(|n| format!("did you mean `{n}`?"));
+        let hint = nearest(name, stages().map(|s| s.name).chain(["evolve"])).map(|n| format!("did you mean `{n}`?"));
         return Err(Error::Recipe { at: None, what: format!("stage `{name}` is not known"), hint });
     };
     say!("{name}: {}\n", describe(name).unwrap_or_default());
@@ -57,7 +56,7 @@ fn one(name: &str) -> Result<()> {
         say!("  {}{unit} = {}{range}{varying}", p.name, p.default);
         say!("      {}", p.meaning);
     }
-    if let Some(stage) = STAGES.iter().find(|s| s.name == name) {
+    if let Some(stage) = stages().find(|s| s.name == name) {
         if !stage.writes.is_empty() {
             say!("\n  leaves: {}", stage.writes.join(", "));
         }

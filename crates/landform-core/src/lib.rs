@@ -6,12 +6,13 @@
 //! |---|---|
 //! | [`error`], [`units`], [`random`], [`math`], [`parallel`] | what everything stands on |
 //! | [`grid`] | index space, borders, georeference, and [`Domain`](grid::Domain): the graph that flow runs over |
-//! | [`field`] | named, typed values per node |
+//! | [`field`], [`feature`] | named, typed values per node; rivers, lakes, coasts and other things with a place |
 //! | [`terrain`] | the representations: [`HeightField`](terrain::HeightField), [`Mesh`](terrain::Mesh) |
 //! | [`algo`] | flow routing, depressions, derivatives, noise, sampling |
 //! | [`agents`] | groups, searches, avalanches, automata, sand: the self-organised framework |
 //! | [`verb`] | parameters, values that vary in space, and the six verbs |
-//! | [`analysis`], [`sim`] | read-only measures; the driver of processes in time |
+//! | [`analysis`], [`sim`] | read-only measures; models and their runs in time |
+//! | [`stage`] | the rows of the table of stages |
 //!
 //! All quantities inside are SI (metres, seconds); see [`units`] for how people write them.
 
@@ -19,12 +20,14 @@ pub mod agents;
 pub mod algo;
 pub mod analysis;
 pub mod error;
+pub mod feature;
 pub mod field;
 pub mod grid;
 pub mod math;
 pub mod parallel;
 pub mod random;
 pub mod sim;
+pub mod stage;
 pub mod terrain;
 pub mod units;
 pub mod verb;

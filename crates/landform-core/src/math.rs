@@ -22,6 +22,12 @@ pub fn pow(x: f64, p: f64) -> f64 {
     }
 }
 
+/// `x` to a whole power, by multiplication: the same bits on every platform.
+#[inline]
+pub fn powi(x: f64, n: u32) -> f64 {
+    (0..n).fold(1.0, |product, _| product * x)
+}
+
 /// Linear interpolation: `a` at 0, `b` at 1.
 #[inline]
 pub fn lerp(a: f64, b: f64, t: f64) -> f64 {

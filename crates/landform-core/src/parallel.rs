@@ -117,6 +117,14 @@ pub fn map_pieces_mut<const N: usize, A: Send, T: Send>(
     pieces.into_par_iter().enumerate().map(|(k, piece)| f(k * size, piece)).collect()
 }
 
+/// Does `f` for every task, side by side; returns what it gives, in order.
+pub fn run_all<T: Send, R: Send>(tasks: Vec<T>, f: impl Fn(T) -> R + Sync) -> Vec<R> {
+    if tasks.len() == 1 {
+        return tasks.into_iter().map(f).collect();
+    }
+    tasks.into_par_iter().map(&f).collect()
+}
+
 /// Runs `f` on exactly `threads` threads (0: as many as there are cores).
 ///
 /// # Errors

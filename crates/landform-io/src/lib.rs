@@ -17,3 +17,6 @@ pub mod import;
 pub mod measure;
 pub mod render;
 pub mod report;
+
+/// The rows of all stages that read, measure and write.
+pub static STAGES: &[&[landform_core::stage::Stage]] = &[import::STAGES, measure::STAGES, export::STAGES];

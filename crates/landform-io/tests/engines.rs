@@ -34,7 +34,9 @@ fn export(preset: Preset, path: &str, field: &HeightField, size: Option<usize>) 
     let stage = WriteHeightmap { path: path.into(), preset, size };
     stage.validate().unwrap();
     let mut out = MemoryOutput::default();
-    stage.export(&Landscape { terrain: field, history: &[], seed: 5, title: "F" }, &mut out).unwrap();
+    let mut landscape = Landscape::plain(field);
+    (landscape.seed, landscape.title) = (5, "F");
+    stage.export(&landscape, &mut out).unwrap();
     out.0
 }
 
@@ -60,7 +62,7 @@ fn unreal_reads_the_letter_upright_and_in_metres() {
     let card = card(&files, "f.png");
     let (location, scale) = (row(&card, "Location"), row(&card, "Scale"));
     let raw = (raster_format("f.png".as_ref()).unwrap().read)(&files["f.png"], None).unwrap();
-    assert_eq!(raw.grid.shape, Shape::new(127, 127));
+    assert_eq!(raw.grid().shape, Shape::new(127, 127));
     for i in 0..127 * 127 {
         // Unreal: Z = location + (v - 32768)/128 * scale, in cm; the first row has the least Y, which is north here.
         let z = location[2] + (raw.elevation()[i] - 32_768.0) / 128.0 * scale[2];
@@ -126,7 +128,7 @@ fn other_sizes_are_resampled_and_said_so() {
     close(row(&card, "Scale")[0], 100.0 * 99.0 * 20.0 / 126.0, 1e-3);
     let mut holes = field.elevation().to_vec();
     holes[0] = f64::NAN;
-    let holes = HeightField::new(field.grid.clone(), holes).unwrap();
+    let holes = HeightField::new(field.grid().clone(), holes).unwrap();
     let files = export(Preset::Unity, "h.raw", &holes, Some(129));
     assert!(String::from_utf8_lossy(&files["h.raw.md"]).contains("without data"));
 }

@@ -9,8 +9,8 @@ use landform_core::grid::{Grid, Shape};
 use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_io::format::{
-    GeotiffOptions, MESH_FORMATS, RASTER_FORMATS, RasterFile, Sidecar, load_raster, mesh_file_from_height_field,
-    raster_format, read_grey,
+    MESH_FORMATS, RASTER_FORMATS, RasterFile, Sidecar, load_raster, mesh_file_from_height_field, raster_format,
+    read_grey,
 };
 
 fn field(rows: usize, cols: usize) -> HeightField {
@@ -22,7 +22,7 @@ fn field(rows: usize, cols: usize) -> HeightField {
 }
 
 fn file<'a>(field: &'a HeightField, values: &'a [f64]) -> RasterFile<'a> {
-    RasterFile { grid: &field.grid, values, field: "elevation", unit: "m", seed: 1, geotiff: GeotiffOptions::default() }
+    RasterFile::real(field.grid(), values, "elevation", "m", 1)
 }
 
 #[test]
@@ -36,10 +36,10 @@ fn every_raster_format_goes_there_and_back_with_its_place() {
             let sidecar = Sidecar::describe(&raster, sixteen_bit.then_some(65_535.0));
             let sidecar = Sidecar::parse(&sidecar.text().unwrap()).unwrap();
             let back = (format.read)(&bytes, format.needs_sidecar.then_some(&sidecar)).unwrap();
-            assert_eq!(back.grid.shape, source.grid.shape, "{}", format.name);
-            assert_eq!(back.grid.spacing, source.grid.spacing, "{}", format.name);
+            assert_eq!(back.grid().shape, source.grid().shape, "{}", format.name);
+            assert_eq!(back.grid().spacing, source.grid().spacing, "{}", format.name);
             for k in 0..2 {
-                assert!((back.grid.origin[k] - source.grid.origin[k]).abs() < 1e-6, "{}", format.name);
+                assert!((back.grid().origin[k] - source.grid().origin[k]).abs() < 1e-6, "{}", format.name);
             }
             let (lo, hi) = raster.range();
             let tolerance = if sixteen_bit { 0.5001 * (hi - lo) / 65_535.0 + 1e-9 } else { 0.0 };

@@ -41,7 +41,7 @@ impl Reference {
         cells
             .iter()
             .zip(values)
-            .map(|(c, v)| (self.field.grid.shape.index(at(c, 0), at(c, 1)), v.as_f64().unwrap()))
+            .map(|(c, v)| (self.field.grid().shape.index(at(c, 0), at(c, 1)), v.as_f64().unwrap()))
             .collect()
     }
 
@@ -51,7 +51,7 @@ impl Reference {
 
     /// Nodes that are not on the border.
     fn inner(&self) -> Vec<usize> {
-        let shape = self.field.grid.shape;
+        let shape = self.field.grid().shape;
         let inside = |i: &usize| {
             let c = shape.cell(*i);
             c.row > 0 && c.col > 0 && c.row + 1 < shape.rows && c.col + 1 < shape.cols
@@ -74,20 +74,20 @@ impl Reference {
 
     /// The surface without ties on which single paths can be compared.
     fn without_ties(&self) -> HeightField {
-        let shape = self.field.grid.shape;
+        let shape = self.field.grid().shape;
         let tie = |i: usize| {
             let c = shape.cell(i);
             ((c.row * 7919 + c.col * 104_729) % 1021) as f64 / 4096.0
         };
         let z = self.field.elevation().iter().enumerate().map(|(i, z)| z + tie(i)).collect();
-        HeightField::new(self.field.grid.clone(), z).unwrap()
+        HeightField::new(self.field.grid().clone(), z).unwrap()
     }
 }
 
 #[test]
 fn slopes_directions_and_shade_are_those_of_gdal() {
     for r in Reference::all() {
-        let (grid, z) = (&r.field.grid, r.field.elevation());
+        let (grid, z) = (r.field.grid(), r.field.elevation());
         r.check("slope_horn_deg", 1.0, |i| math::atan(gradient(grid, z, i).slope()).to_degrees());
         r.check("slope_zt_deg", 1.0, |i| math::atan(gradient_of_four(grid, z, i).slope()).to_degrees());
         r.check("aspect_horn_deg", 10.0, |i| gradient(grid, z, i).aspect().to_degrees());
@@ -103,10 +103,10 @@ fn slopes_directions_and_shade_are_those_of_gdal() {
 fn filled_ground_and_drainage_are_those_of_three_tools() {
     for r in Reference::all() {
         let route = |field: &HeightField| {
-            let domain = RasterDomain::new(&field.grid, &[]);
+            let domain = RasterDomain::new(field.grid(), &[]);
             let (mut flow, mut area) = (Flow::new(), node_areas(&domain));
             flow.route(&domain, field.elevation(), &mut area);
-            let cell = field.grid.cell_area();
+            let cell = field.grid().cell_area();
             area.iter_mut().for_each(|a| *a /= cell);
             (flow, area)
         };
@@ -149,7 +149,7 @@ fn filled_ground_and_drainage_are_those_of_three_tools() {
 fn directions_and_areas_by_d_infinity_are_those_of_pysheds_and_whitebox() {
     for r in Reference::all() {
         let field = r.without_ties();
-        let (grid, z) = (&field.grid, field.elevation());
+        let (grid, z) = (field.grid(), field.elevation());
         let domain = RasterDomain::new(grid, &[]);
         let turn = std::f64::consts::TAU;
         for (i, expected) in r.cells("tb_dinf_angle_pysheds") {
@@ -179,7 +179,7 @@ fn directions_and_areas_by_d_infinity_are_those_of_pysheds_and_whitebox() {
 
 #[test]
 fn measures_of_a_mountain_range_are_those_of_public_tools() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gallery/data/big_tujunga_ca_srtm1_utm11.tif");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../landform/gallery/data/big_tujunga_ca_srtm1_utm11.tif");
     let (m, _) = metrics(&load_raster(&path).unwrap(), None).unwrap();
     let (surface, spectrum) = (m.surface.unwrap(), m.spectrum.unwrap());
     // Where definitions coincide: four digits as published.

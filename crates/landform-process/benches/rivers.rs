@@ -9,18 +9,19 @@ use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop};
 use landform_core::terrain::{HeightField, Mesh, NodeSurface};
 use landform_core::units::{KYR, Length};
-use landform_core::verb::{Context, Generator, NoMaps};
-use landform_process::generate::{SpectralFbm, StreamGraph};
+use landform_core::verb::{Context, Generator};
+use landform_process::generate::{GridParams, SpectralFbm, StreamGraph};
 use landform_process::stream_power::StreamPower;
 use landform_process::uplift::Uplift;
 
 fn context() -> Context<'static> {
-    Context { seed: Seed(7), maps: &NoMaps }
+    Context { seed: Seed(7), ..Context::default() }
 }
 
 fn fractal(n: usize) -> HeightField {
     let side = Length::of((n - 1) as f64 * 30.0);
-    let params = SpectralFbm { size: [side; 2], cell_size: Length::of(30.0), ..SpectralFbm::default() };
+    let grid = GridParams { size: [side; 2], cell_size: Length::of(30.0) };
+    let params = SpectralFbm { grid, ..SpectralFbm::default() };
     params.generate(&context()).unwrap()
 }
 

@@ -14,3 +14,18 @@ pub mod snow;
 pub mod stream_power;
 pub mod streams;
 pub mod uplift;
+
+/// The rows of all phenomena.
+pub static STAGES: &[&[landform_core::stage::Stage]] = &[
+    generate::STAGES,
+    edit::STAGES,
+    uplift::STAGES,
+    stream_power::STAGES,
+    hillslope::STAGES,
+    channel::STAGES,
+    coast::STAGES,
+    dune::STAGES,
+    snow::STAGES,
+    streams::STAGES,
+    basin::STAGES,
+];

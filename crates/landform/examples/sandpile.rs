@@ -35,7 +35,7 @@ fn main() -> Result<()> {
         std::fs::write(path, bytes).map_err(|e| landform::core::Error::io("write", std::path::Path::new(path), e))
     };
     write("sandpile.png", encode_png(&map.pixels, map.shape)?)?;
-    if let Some((_, density)) = density(&after.grid, landform::core::terrain::NodeSurface::elevation(&after), false) {
+    if let Some((_, density)) = density(after.grid(), landform::core::terrain::NodeSurface::elevation(&after), false) {
         let plot = value_picture(Shape::new(512, 512), &density.log_plot(512), Ramp::Dusk);
         write("sandpile_spectrum.png", encode_png(&plot.pixels, plot.shape)?)?;
     }

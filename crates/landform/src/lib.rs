@@ -6,34 +6,36 @@
 //! From Rust, without a recipe:
 //!
 //! ```
-//! use landform::core::random::Seed;
-//! use landform::core::sim::{Simulation, Stop};
-//! use landform::core::terrain::NodeSurface;
-//! use landform::core::units::{KYR, Length, MYR, Rate};
-//! use landform::core::verb::{Context, Generator, NoMaps};
-//! use landform::process::generate::StreamGraph;
-//! use landform::process::stream_power::StreamPower;
-//! use landform::process::uplift::Uplift;
+//! use landform::prelude::*;
 //!
-//! # fn main() -> landform::core::Result<()> {
-//! let start = StreamGraph { nodes: 500, size: [Length::of(10_000.0); 2], ..StreamGraph::default() }
-//!     .generate(&Context { seed: Seed(7), maps: &NoMaps })?;
-//! let mut simulation = Simulation::new(start)
-//!     .process(Uplift { rate: Rate::of(0.5).into() })?
-//!     .process(StreamPower::default())?
-//!     .dt(100.0 * KYR)
-//!     .until(Stop::time(2.0 * MYR));
-//! let outcome = simulation.run()?;
+//! # fn main() -> landform::Result<()> {
+//! let start = StreamGraph { nodes: 500, size: [metres(10_000.0); 2], ..StreamGraph::default() };
+//! let mut land = Landscape::from(start.generate(&Context::default())?);
+//! let outcome = land
+//!     .evolve(kyr(100.0), myr(2.0))
+//!     .with(Uplift { rate: mm_per_yr(0.5).into() })
+//!     .with(StreamPower::default())
+//!     .run()?;
 //! assert!(outcome.budget.imbalance() < 1e-9);
-//! assert!(simulation.terrain().elevation().iter().any(|&z| z > 100.0));
+//! assert!(land.terrain.elevation().iter().any(|&z| z > 100.0));
 //! # Ok(())
 //! # }
 //! ```
 //!
-//! And with one: [`recipe::Recipe`].
+//! A [`Model`](landform_core::sim::Model) can be stepped, looked at and changed on the way. With a recipe: [`recipe::Recipe`].
+//!
+//! | crate | holds |
+//! |---|---|
+//! | [`core`] | what a terrain is, how anything is run |
+//! | [`process`] | what happens to a terrain, a folder a phenomenon |
+//! | [`io`] | files, pictures, reports |
 
+mod landscape;
+pub mod prelude;
 pub mod recipe;
 
 pub use landform_core as core;
+pub use landform_core::{Error, Result};
 pub use landform_io as io;
 pub use landform_process as process;
+pub use landscape::{Evolution, Landscape};

@@ -5,18 +5,23 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use landform::core::grid::{BASE_LEVEL, Domain, INTERIOR};
 use landform::core::parallel::with_threads;
-use landform::core::terrain::{NodeSurface, Terrain};
+use landform::core::random::Seed;
+use landform::core::sim::Model;
+use landform::core::terrain::{HeightField, Held, Kind, Layer, Mesh, NodeSurface, Surface, Terrain};
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
 use landform::recipe::{
-    AnyTerrain, Options, Over, Override, Ran, Recipe, STAGES, Signal, Stage, Sweep, Verb, contact_sheet, parameters,
-    schema,
+    AnyTerrain, Options, Over, Override, Ran, Recipe, Signal, Stage, Sweep, Verb, contact_sheet, parameters, schema,
+    stages,
 };
 
-fn start(kind: &str) -> &'static str {
+fn start(kind: Kind) -> &'static str {
     match kind {
-        "mesh" => "[[stage]]\nuse = \"stream_graph\"\nsize = [\"8 km\", \"8 km\"]\nnodes = 400\nroughness = \"80 m\"\n",
+        Kind::Mesh => {
+            "[[stage]]\nuse = \"stream_graph\"\nsize = [\"8 km\", \"8 km\"]\nnodes = 400\nroughness = \"80 m\"\n"
+        }
         _ => "[[stage]]\nuse = \"noise\"\nsize = [\"4 km\", \"3 km\"]\ncell_size = \"200 m\"\namplitude = \"150 m\"\n",
     }
 }
@@ -32,43 +37,51 @@ fn run(text: &str) -> AnyTerrain {
     }
 }
 
-fn processes() -> impl Iterator<Item = &'static Stage> {
-    STAGES.iter().filter(|s| s.verb == Verb::Process)
+/// What stands before a stage that needs a terrain.
+fn head(stage: &Stage) -> &'static str {
+    stage.kinds().next().map(start).unwrap_or_default()
 }
 
-fn process_recipe(stage: &Stage, steps: u64) -> String {
-    let clock = format!("clock = {{ dt = \"20 kyr\", max_steps = {steps} }}");
-    format!("seed = 5\n{}\n[[stage]]\nuse = \"{}\"\n{clock}\n", start(stage.on.unwrap()), stage.name)
+/// Every process on every kind of terrain that it runs on.
+fn processes() -> impl Iterator<Item = (&'static Stage, Kind)> {
+    stages().filter(|s| s.verb == Verb::Process).flat_map(|s| s.kinds().map(move |k| (s, k)))
+}
+
+fn process_recipe((stage, kind): (&Stage, Kind), steps: u64) -> String {
+    let clock = format!("clock = {{ dt = \"20 kyr\", iterations = {steps} }}");
+    format!("seed = 5\n{}\n[[stage]]\nuse = \"{}\"\n{clock}\n", start(kind), stage.name)
 }
 
 #[test]
 fn names_are_snake_case_and_each_kind_appears_once() {
     let mut seen = BTreeSet::new();
-    for stage in STAGES {
+    for stage in stages() {
         assert!(stage.name.chars().all(|c| c.is_ascii_lowercase() || c == '_'), "{}", stage.name);
-        assert!(seen.insert((stage.name, stage.on)), "{} on {:?} is listed twice", stage.name, stage.on);
+        assert!(seen.insert(stage.name), "{} is listed twice", stage.name);
+        let kinds: BTreeSet<_> = stage.kinds().collect();
+        assert!(kinds.len() == stage.kinds().count() && !stage.acts.is_empty(), "{}", stage.name);
         assert!(!stage.summary().is_empty(), "{} says nothing", stage.name);
     }
 }
 
 #[test]
 fn every_parameter_has_a_meaning_and_a_default_inside_its_range() {
-    for stage in STAGES {
+    for stage in stages() {
         for p in parameters(stage.name).unwrap() {
             assert!(p.meaning.len() > 8 && p.meaning.ends_with('.'), "{}.{}: `{}`", stage.name, p.name, p.meaning);
         }
         let given = if stage.inputs.is_empty() { "" } else { "path = \"x.tif\"\n" };
-        let head = stage.on.map(start).unwrap_or_default();
-        let clock = if stage.verb == Verb::Process { "clock = { dt = \"1 kyr\", max_steps = 1 }\n" } else { "" };
+        let head = head(stage);
+        let clock = if stage.verb == Verb::Process { "clock = { dt = \"1 kyr\", iterations = 1 }\n" } else { "" };
         recipe(&format!("{head}[[stage]]\nuse = \"{}\"\n{given}{clock}", stage.name));
     }
 }
 
 #[test]
 fn unknown_words_are_refused_by_every_stage() {
-    for stage in STAGES {
-        let head = stage.on.map(start).unwrap_or_default();
-        let clock = if stage.verb == Verb::Process { "clock = { dt = \"1 kyr\", max_steps = 1 }\n" } else { "" };
+    for stage in stages() {
+        let head = head(stage);
+        let clock = if stage.verb == Verb::Process { "clock = { dt = \"1 kyr\", iterations = 1 }\n" } else { "" };
         let text = format!("{head}[[stage]]\nuse = \"{}\"\n{clock}no_such_word = 1\n", stage.name);
         let error = Recipe::parse(&text, "t", Path::new("."), &[]).unwrap_err().to_string();
         assert!(error.contains("no_such_word"), "{}: {error}", stage.name);
@@ -77,18 +90,22 @@ fn unknown_words_are_refused_by_every_stage() {
 
 fn fields(terrain: &AnyTerrain) -> (Vec<f64>, Vec<String>) {
     fn of<T: NodeSurface>(t: &T) -> (Vec<f64>, Vec<String>) {
-        (t.elevation().to_vec(), t.fields().names().map(String::from).collect())
+        (t.elevation().to_vec(), t.names().into_iter().filter(|n| n != "elevation").collect())
     }
-    match terrain {
-        AnyTerrain::HeightField(t) => of(t),
-        AnyTerrain::Mesh(t) => of(t),
+    struct Values;
+    impl landform::core::terrain::Visit for Values {
+        type Out = (Vec<f64>, Vec<String>);
+        fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
+            of(terrain)
+        }
     }
+    terrain.visit(Values)
 }
 
 #[test]
 fn processes_give_finite_numbers_and_write_only_what_they_declare() {
-    for stage in processes() {
-        let (z, names) = fields(&run(&process_recipe(stage, 2)));
+    for (stage, kind) in processes() {
+        let (z, names) = fields(&run(&process_recipe((stage, kind), 2)));
         assert!(z.iter().all(|v| v.is_finite()), "{}", stage.name);
         for name in names {
             assert!(stage.writes.contains(&name.as_str()), "{} wrote `{name}`", stage.name);
@@ -99,7 +116,7 @@ fn processes_give_finite_numbers_and_write_only_what_they_declare() {
 
 #[test]
 fn mass_budgets_close() {
-    for stage in processes() {
+    for (stage, kind) in processes() {
         let budgets = std::sync::Mutex::new(Vec::new());
         let options = Options {
             progress: &|signal| {
@@ -109,9 +126,9 @@ fn mass_budgets_close() {
             },
             ..Options::default()
         };
-        recipe(&process_recipe(stage, 10)).run(&mut MemoryOutput::default(), &options).unwrap();
+        recipe(&process_recipe((stage, kind), 10)).run(&mut MemoryOutput::default(), &options).unwrap();
         for budget in budgets.lock().unwrap().iter() {
-            assert!(budget.imbalance() < 1e-9, "{} on {:?}: {:e}", stage.name, stage.on, budget.imbalance());
+            assert!(budget.imbalance() < 1e-9, "{} on a {kind}: {:e}", stage.name, budget.imbalance());
             assert!(budget.sediment_imbalance() < 1e-9, "{}: {:e}", stage.name, budget.sediment_imbalance());
         }
     }
@@ -119,22 +136,22 @@ fn mass_budgets_close() {
 
 #[test]
 fn results_do_not_depend_on_threads() {
-    for stage in processes() {
-        let text = process_recipe(stage, 3).replace("nodes = 400", "nodes = 30000").replace("200 m", "25 m");
+    for (stage, kind) in processes() {
+        let text = process_recipe((stage, kind), 3).replace("nodes = 400", "nodes = 30000").replace("200 m", "25 m");
         let one = with_threads(1, || run(&text)).unwrap();
         let four = with_threads(4, || run(&text)).unwrap();
-        assert!(one == four, "{} on {:?}", stage.name, stage.on);
+        assert!(one == four, "{} on a {kind}", stage.name);
     }
 }
 
 #[test]
 fn an_interrupted_run_resumes_to_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
-    for stage in processes() {
-        let text = process_recipe(stage, 6);
+    for (stage, kind) in processes() {
+        let text = process_recipe((stage, kind), 6);
         let whole = run(&text);
         for stop_at in 1..6 {
-            let checkpoint = folder.path().join(format!("{}-{stop_at}.lfc", stage.name));
+            let checkpoint = folder.path().join(format!("{}-{kind}-{stop_at}.lfc", stage.name));
             let cancel = CancelToken::default();
             let stopper = cancel.clone();
             let options = Options {
@@ -178,7 +195,7 @@ fn the_same_recipe_in_cells_of_half_the_size_is_the_same_land() {
 
 #[test]
 fn seeds_matter_and_inserting_a_stage_does_not_reshuffle() {
-    let base = start("mesh");
+    let base = start(Kind::Mesh);
     assert!(run(&format!("seed = 1\n{base}")) == run(&format!("seed = 1\n{base}")));
     assert!(run(&format!("seed = 1\n{base}")) != run(&format!("seed = 2\n{base}")));
     let inserted = format!("seed = 1\n[[stage]]\nuse = \"flat\"\n{base}");
@@ -208,7 +225,7 @@ fn stages_branch_and_the_cache_spares_what_did_not_change() {
         format!(
             "{}label = \"ground\"\n[[stage]]\nuse = \"add\"\nelevation = \"{depth}\"\n\
              [[stage]]\nuse = \"fill_depressions\"\nfrom = \"ground\"\n[[stage]]\nuse = \"measure_summary\"\n",
-            start("height field")
+            start(Kind::HeightField)
         )
     };
     let (cached, first, history) = ran(&text("5 m"));
@@ -229,7 +246,7 @@ fn stages_branch_and_the_cache_spares_what_did_not_change() {
 #[test]
 fn the_schema_knows_every_stage() {
     let schema = schema();
-    for stage in STAGES {
+    for stage in stages() {
         assert_eq!(schema["$defs"][stage.name]["properties"]["use"]["const"], stage.name);
     }
     assert!(schema["$defs"]["evolve"].is_object() && schema["$defs"]["clock"].is_object());
@@ -241,8 +258,8 @@ fn the_schema_knows_every_stage() {
 
 #[test]
 fn volumes_are_measured_alike_on_both_representations() {
-    let text = format!("{}[[stage]]\nuse = \"to_height_field\"\ncell_size = \"100 m\"\n", start("mesh"));
-    let (AnyTerrain::Mesh(mesh), AnyTerrain::HeightField(raster)) = (run(start("mesh")), run(&text)) else {
+    let text = format!("{}[[stage]]\nuse = \"to_height_field\"\ncell_size = \"100 m\"\n", start(Kind::Mesh));
+    let (AnyTerrain::Mesh(mesh), AnyTerrain::HeightField(raster)) = (run(start(Kind::Mesh)), run(&text)) else {
         panic!("kinds")
     };
     // The raster's border cells stick out by half a cell, at elevation 0.
@@ -314,9 +331,9 @@ fn a_sweep_runs_every_combination_and_its_rows_do_not_depend_on_threads() {
 fn features_of_both_representations_only_run_downhill() {
     for more in ["", "[[stage]]\nuse = \"to_height_field\"\ncell_size = \"100 m\"\n"] {
         let text = format!(
-            "{}[[stage]]\nuse = \"stream_power\"\nclock = {{ dt = \"20 kyr\", max_steps = 4 }}\n{more}\
+            "{}[[stage]]\nuse = \"stream_power\"\nclock = {{ dt = \"20 kyr\", iterations = 4 }}\n{more}\
              [[stage]]\nuse = \"write_features\"\nleast_area = \"0.5 km2\"\n",
-            start("mesh")
+            start(Kind::Mesh)
         );
         let mut out = MemoryOutput::default();
         recipe(&text).run(&mut out, &Options::default()).unwrap();
@@ -369,8 +386,58 @@ fn a_sea_that_leaves_the_map_is_an_error_that_says_when() {
     let text = format!(
         "{}[[stage]]\nuse = \"evolve\"\nclock = {{ dt = \"100 kyr\", duration = \"1 Myr\" }}\nprocess = [ {{ use = \"uplift\" }},\n\
          {{ use = \"stream_power\", outlets = \"sea\", sea_level = \"1 m\" }} ]\n",
-        start("mesh")
+        start(Kind::Mesh)
     );
     let error = recipe(&text).run(&mut MemoryOutput::default(), &Options::default()).unwrap_err().to_string();
     assert!(error.contains("after 0.1000 Myr no ground is at or under 1 m"), "{error}");
+}
+
+/// A terrain in mid-run, edited, goes on as a run that begins on the edited terrain at that time.
+#[test]
+fn an_edit_in_mid_run_equals_a_fresh_start_for_every_process() {
+    fn check<T: Held + NodeSurface + PartialEq>(stage: &'static Stage, terrain: &T) {
+        let part = stage.read(&serde_json::json!({})).unwrap_or_else(|e| panic!("{}: {e:?}", stage.name));
+        let model = |terrain: T| {
+            let mut model = Model::new(terrain);
+            part.add_to(T::KIND, &mut model).unwrap();
+            model.dt(3e11).seed(Seed(8))
+        };
+        let edit = |terrain: &mut T| {
+            // A hill, a hollow, and other outlets.
+            let n = terrain.elevation().len();
+            terrain.change(Layer::Bedrock, |z| (n / 3..n / 3 + n / 20).for_each(|i| z[i] += 40.0));
+            terrain.change(Layer::Surface("sediment"), |z| (n / 2..n / 2 + n / 20).for_each(|i| z[i] -= 15.0));
+            let mut status = terrain.domain().status().to_vec();
+            if let Some(first) = status.iter().position(|&s| s == BASE_LEVEL) {
+                status[first] = INTERIOR;
+            }
+            terrain.set_status(Some(status));
+        };
+        let mut edited = model(terrain.clone());
+        edited.advance_steps(3).unwrap();
+        let before = edited.terrain().clone();
+        edited.edit(edit).unwrap();
+        let mut fresh = {
+            let mut terrain = before;
+            edit(&mut terrain);
+            model(terrain).begin_at(edited.time(), edited.steps())
+        };
+        fresh.start().unwrap();
+        assert!(edited.terrain() == fresh.terrain(), "{} on a {}: after the edit", stage.name, T::KIND);
+        edited.advance_steps(3).unwrap();
+        fresh.advance_steps(3).unwrap();
+        edited.finish().unwrap();
+        fresh.finish().unwrap();
+        assert!(edited.terrain() == fresh.terrain(), "{} on a {}", stage.name, T::KIND);
+        let budget = edited.budget();
+        assert!(budget.imbalance() < 1e-9, "{}: {:e}", stage.name, budget.imbalance());
+        assert!(budget.sediment_imbalance() < 1e-9, "{}: {:e}", stage.name, budget.sediment_imbalance());
+    }
+    for (stage, kind) in processes() {
+        match run(start(kind)) {
+            AnyTerrain::HeightField(t) => check::<HeightField>(stage, &t),
+            AnyTerrain::Mesh(t) => check::<Mesh>(stage, &t),
+            other => panic!("{}", other.kind()),
+        }
+    }
 }

@@ -17,7 +17,7 @@ use landform::core::terrain::{HeightField, NodeSurface};
 
 /// Exponent of the density of the surface.
 fn beta(field: &HeightField) -> f64 {
-    spectrum(&field.grid, field.elevation()).unwrap().surface.exponent
+    spectrum(field.grid(), field.elevation()).unwrap().surface.exponent
 }
 
 #[test]

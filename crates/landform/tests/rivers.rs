@@ -44,7 +44,7 @@ fn erosion_of_fractional_ground_keeps_its_long_waves() {
         sxy / sxx
     };
     for seed in [1, 2] {
-        let of = |field: &HeightField| spectrum(&field.grid, field.elevation()).unwrap();
+        let of = |field: &HeightField| spectrum(field.grid(), field.elevation()).unwrap();
         let (before, after) = (fbm(seed, ""), fbm(seed, channel));
         let (a, b) = (long(&of(&before)), long(&of(&after)));
         assert!((a - b).abs() < 0.15, "seed {seed}: {a} {b}");
@@ -55,7 +55,7 @@ fn erosion_of_fractional_ground_keeps_its_long_waves() {
 /// Gini's coefficient of the flow along a row, in the mean of rows.
 fn gini(field: &HeightField) -> f64 {
     let flow = field.fields().get(&names::DISCHARGE, "a test").unwrap();
-    let cols = field.grid.shape.cols;
+    let cols = field.grid().shape.cols;
     let of_row = |row: &[f64]| {
         let mut q = row.to_vec();
         q.sort_by(f64::total_cmp);
@@ -93,7 +93,7 @@ fn least_bending_bends_less_than_hermite() {
             "seed = 5\n[[stage]]\nuse = \"front_terrain\"\nmask = {{ formula = \"r < 0.05\" }}\nsize = [\"1280 m\", \"1280 m\"]\n\
              cell_size = \"10 m\"\ninterpolation = \"{interpolation}\"\n"
         ));
-        landform::core::algo::thin_plate::bending_energy(field.grid.shape, field.elevation())
+        landform::core::algo::thin_plate::bending_energy(field.grid().shape, field.elevation())
     };
     let (nearest, hermite, variational) = (of("nearest"), of("hermite"), of("variational"));
     assert!(variational < 0.5 * hermite && hermite < nearest, "{nearest} {hermite} {variational}");
@@ -105,7 +105,7 @@ fn least_bending_bends_less_than_hermite() {
 fn valleys(field: &HeightField) -> (usize, usize) {
     const REACH: isize = 3;
     let (domain, z) = (field.domain(), field.elevation());
-    let (rows, cols) = (field.grid.shape.rows as isize, field.grid.shape.cols as isize);
+    let (rows, cols) = (field.grid().shape.rows as isize, field.grid().shape.cols as isize);
     let mut flow = Flow::new();
     flow.route(&*domain, z, &mut node_areas(&*domain));
     let at = |row: isize, col: isize| {

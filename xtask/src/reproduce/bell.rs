@@ -91,7 +91,7 @@ fn find(name: &str) -> Result<&'static GalleryRecipe> {
 }
 
 fn recipe(root: &Path, name: &str, overrides: &[Override]) -> Result<Recipe> {
-    Recipe::parse(find(name)?.text, name, &root.join("gallery"), overrides)
+    Recipe::parse(find(name)?.text, name, &root.join("crates/landform/gallery"), overrides)
 }
 
 fn sweep(root: &Path, name: &str, seeds: u64, over: &[(&str, Vec<String>)], fixed: &[String]) -> Result<Vec<Row>> {
@@ -290,8 +290,10 @@ fn convergence(root: &Path, folder: &Path) -> Result<String> {
         let overrides = overrides.iter().map(|o| Override::parse(o)).collect::<Result<Vec<_>>>()?;
         let mut out = MemoryOutput::default();
         // The table alone: drawing every step takes longer than taking it.
-        let (only_table, gallery) =
-            (find("convergence")?.text.replace(", animation = \"growth.gif\"", ""), root.join("gallery"));
+        let (only_table, gallery) = (
+            find("convergence")?.text.replace(", animation = \"growth.gif\"", ""),
+            root.join("crates/landform/gallery"),
+        );
         Recipe::parse(&only_table, "convergence", &gallery, &overrides)?.run(&mut out, &Options::default())?;
         let csv = String::from_utf8_lossy(&out.0["steps.csv"]).into_owned();
         let (height, lakes) = (column(&csv, "max_m"), column(&csv, "lakes"));

@@ -137,7 +137,7 @@ impl Figure {
         }
         let mut out = MemoryOutput::default();
         let options = Options::default();
-        Recipe::parse(&text, self.recipe, &root.join("gallery"), &[])?.run(&mut out, &options)?;
+        Recipe::parse(&text, self.recipe, &root.join("crates/landform/gallery"), &[])?.run(&mut out, &options)?;
         let mut page = format!("## {}\n\nRecipe `{}`. {}\n\n|", self.title, self.recipe, self.what);
         let name = |label: &str| format!("{}_{label}", self.recipe);
         for kind in ["", "_spectrum"] {

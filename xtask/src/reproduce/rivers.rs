@@ -110,7 +110,7 @@ fn transports() -> Result<String> {
         let (terrain, _) = run(&slope(transport, rounds, [128, 256], still))?;
         let AnyTerrain::HeightField(field) = &*terrain else { continue };
         let flow = field.fields.get(&names::DISCHARGE, "the flow")?;
-        let cols = field.grid.shape.cols;
+        let cols = field.grid().shape.cols;
         let shares: Vec<f64> = flow
             .chunks(cols)
             .map(|row| row.iter().copied().fold(0.0, f64::max) / row.iter().sum::<f64>().max(1e-30))

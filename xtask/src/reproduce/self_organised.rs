@@ -118,7 +118,7 @@ impl Figure {
         let recipe = GALLERY.iter().find(|r| r.name == self.recipe);
         let recipe = recipe.ok_or_else(|| Error::Empty { what: self.recipe.into() })?;
         let small = [Override::parse("write_picture.size=420")?];
-        let parsed = Recipe::parse(recipe.text, self.recipe, &root.join("gallery"), &small)?;
+        let parsed = Recipe::parse(recipe.text, self.recipe, &root.join("crates/landform/gallery"), &small)?;
         let mut out = MemoryOutput::default();
         let begun = Instant::now();
         with_threads(1, || parsed.run(&mut out, &Options::default()))??;

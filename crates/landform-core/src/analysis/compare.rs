@@ -39,10 +39,11 @@ pub struct Comparison {
 /// # Errors
 /// [`Error::Shape`] if the rasters do not lie node on node, [`Error::Empty`] if no node has data in both.
 pub fn compare(a: &HeightField, b: &HeightField) -> Result<(Comparison, Vec<f64>)> {
-    let near = |k: usize| (a.grid.spacing[k] / b.grid.spacing[k] - 1.0).abs() < 1e-6;
-    if a.grid.shape != b.grid.shape || !near(0) || !near(1) {
-        let text =
-            |f: &HeightField| format!("{} of {:.6} x {:.6} m", f.grid.shape, f.grid.spacing[0], f.grid.spacing[1]);
+    let near = |k: usize| (a.grid().spacing[k] / b.grid().spacing[k] - 1.0).abs() < 1e-6;
+    if a.grid().shape != b.grid().shape || !near(0) || !near(1) {
+        let text = |f: &HeightField| {
+            format!("{} of {:.6} x {:.6} m", f.grid().shape, f.grid().spacing[0], f.grid().spacing[1])
+        };
         return Err(Error::Shape { what: "the second landscape".into(), found: text(b), expected: text(a) });
     }
     let (za, zb) = (a.elevation(), b.elevation());
@@ -54,7 +55,7 @@ pub fn compare(a: &HeightField, b: &HeightField) -> Result<(Comparison, Vec<f64>
     if n == 0.0 {
         return Err(Error::Empty { what: "what both landscapes cover".into() });
     }
-    let cell = a.grid.cell_area();
+    let cell = a.grid().cell_area();
     let (eroded, deposited) = (sum(&|i| (-difference[i]).max(0.0)) * cell, sum(&|i| difference[i].max(0.0)) * cell);
     let (ma, mb) = (sum(&|i| za[i]) / n, sum(&|i| zb[i]) / n);
     let product = |x: &[f64], mx: f64, y: &[f64], my: f64| {

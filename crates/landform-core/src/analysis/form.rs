@@ -130,7 +130,7 @@ fn laplacian_skew(shape: Shape, z: &[f64]) -> f64 {
     };
     let count = sum(&|_| 1.0);
     let mean = sum(&|l| l) / count;
-    let moment = |p: i32| sum(&|l| (l - mean).powi(p)) / count;
+    let moment = |p: u32| sum(&|l| crate::math::powi(l - mean, p)) / count;
     let variance = moment(2);
     moment(3) / (variance * variance.sqrt())
 }

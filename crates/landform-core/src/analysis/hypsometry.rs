@@ -101,7 +101,7 @@ pub fn of_sorted(z: &[f64]) -> Hypsometry {
     let curve: Vec<f64> = (0..=100).map(|k| relative(z[(k * (n - 1) + 50) / 100])).collect();
     let (low, high) = (quantile(z, 0.999), quantile(z, 0.001));
     let clipped = parallel::sum(n, |i| z[i].clamp(low, high)) / n as f64;
-    let moment = |p: i32| parallel::sum(n, |i| (z[i] - mean).powi(p)) / n as f64;
+    let moment = |p: u32| parallel::sum(n, |i| math::powi(z[i] - mean, p)) / n as f64;
     let integral = relative(mean);
     // Steps of few elevations are no inflections.
     let (class, reason) = if n < LEAST_NODES { classify(&[], integral) } else { classify(&curve, integral) };
@@ -145,7 +145,7 @@ fn curve_skew(z: &[f64], relative: &(impl Fn(f64) -> f64 + Sync)) -> f64 {
     let a = |i: usize| (i as f64 + 0.5) / n;
     let total = parallel::sum(z.len(), |i| relative(z[i]));
     let mean = parallel::sum(z.len(), |i| relative(z[i]) * a(i)) / total;
-    let moment = |p: i32| parallel::sum(z.len(), |i| relative(z[i]) * (a(i) - mean).powi(p)) / total;
+    let moment = |p: u32| parallel::sum(z.len(), |i| relative(z[i]) * math::powi(a(i) - mean, p)) / total;
     moment(3) / (moment(2) * moment(2).sqrt())
 }
 

@@ -93,10 +93,10 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
     }
     let land = sea_level.map(|level| cut_off(field, level)).transpose()?;
     let land = land.as_ref().unwrap_or(field);
-    let (grid, z) = (&land.grid, land.elevation());
+    let (grid, z) = (land.grid(), land.elevation());
     let mut sorted: Vec<f64> = z.iter().copied().filter(|z| !z.is_nan()).collect();
     parallel::sort_by(&mut sorted, |a, b| b.total_cmp(a));
-    let (coast, _) = coast(&field.grid, field.elevation(), level_of(&sorted));
+    let (coast, _) = coast(field.grid(), field.elevation(), level_of(&sorted));
     let elevations = elevations(land, &sorted);
     let hypsometry = of_sorted(&sorted);
     drop(sorted);
@@ -133,7 +133,7 @@ const MOST_ELEVATION: f64 = 1e9;
 fn cut_off(field: &HeightField, level: f64) -> Result<HeightField> {
     let z = field.elevation();
     let above = parallel::map(z.len(), |i| if z[i] > level { z[i] } else { f64::NAN });
-    HeightField::new(field.grid.clone(), above)
+    HeightField::new(field.grid().clone(), above)
         .map_err(|_| Error::Empty { what: format!("the ground above {level} m").trim_end().into() })
 }
 
@@ -141,7 +141,7 @@ fn elevations(field: &HeightField, sorted: &[f64]) -> Elevations {
     let n = sorted.len();
     let mean = parallel::sum(n, |i| sorted[i]) / n as f64;
     let variance = parallel::sum(n, |i| (sorted[i] - mean) * (sorted[i] - mean)) / n as f64;
-    let grid = &field.grid;
+    let grid = field.grid();
     Elevations {
         shape: [grid.shape.rows, grid.shape.cols],
         spacing: grid.spacing,

@@ -4,6 +4,7 @@ mod card;
 mod coast;
 mod compare;
 mod dunes;
+mod features;
 mod form;
 mod hypsometry;
 mod metrics;
@@ -20,6 +21,7 @@ pub use coast::{
 };
 pub use compare::{Comparison, compare};
 pub use dunes::{DuneClass, Dunes, ShadowError, dunes, shadow_error};
+pub use features::{FeatureSearch, find_features};
 pub use form::{Form, form, form_of, share_in_sinks};
 pub use hypsometry::{HypsometricClass, Hypsometry, ModelCurve, classify, hypsometry, of_sorted};
 pub use metrics::{Drawings, Elevations, Metrics, SPECTRUM_PLOT, metrics};

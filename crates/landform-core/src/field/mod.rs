@@ -17,13 +17,28 @@ pub struct Key<T> {
     pub unit: &'static str,
     /// What it means, in a phrase.
     pub meaning: &'static str,
+    /// Where its values stand.
+    pub at: At,
     kind: std::marker::PhantomData<T>,
 }
 
+/// Where the values of a field stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum At {
+    /// One for every node of a surface.
+    #[default]
+    Node,
+    /// One for every column of a volume.
+    Column,
+    /// One for every voxel of a volume.
+    Voxel,
+}
+
 impl<T> Key<T> {
-    /// A key; used by [`names`] only.
+    /// A key of values on nodes; used by [`names`] only.
     pub const fn new(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
-        Self { name, unit, meaning, kind: std::marker::PhantomData }
+        Self { name, unit, meaning, at: At::Node, kind: std::marker::PhantomData }
     }
 }
 
@@ -32,8 +47,12 @@ impl<T> Key<T> {
 pub enum Values {
     /// Real numbers.
     F64(Vec<f64>),
-    /// Identifiers.
+    /// Real numbers of single precision.
+    F32(Vec<f32>),
+    /// Counts and identifiers.
     U32(Vec<u32>),
+    /// Classes.
+    U8(Vec<u8>),
 }
 
 /// A type that fields may have.
@@ -62,14 +81,18 @@ macro_rules! element {
     };
 }
 element!(f64, F64);
+element!(f32, F32);
 element!(u32, U32);
+element!(u8, U8);
 
 impl Values {
     /// Number of values.
     pub fn len(&self) -> usize {
         match self {
             Self::F64(v) => v.len(),
+            Self::F32(v) => v.len(),
             Self::U32(v) => v.len(),
+            Self::U8(v) => v.len(),
         }
     }
 
@@ -82,55 +105,87 @@ impl Values {
     pub fn to_f64(&self) -> Vec<f64> {
         match self {
             Self::F64(v) => v.clone(),
+            Self::F32(v) => v.iter().map(|&x| f64::from(x)).collect(),
             Self::U32(v) => v.iter().map(|&x| f64::from(x)).collect(),
+            Self::U8(v) => v.iter().map(|&x| f64::from(x)).collect(),
+        }
+    }
+
+    /// The values at some places.
+    pub fn picked(&self, places: &[u32]) -> Self {
+        fn of<T: Copy>(values: &[T], places: &[u32]) -> Vec<T> {
+            places.iter().map(|&i| values[i as usize]).collect()
+        }
+        match self {
+            Self::F64(v) => Self::F64(of(v, places)),
+            Self::F32(v) => Self::F32(of(v, places)),
+            Self::U32(v) => Self::U32(of(v, places)),
+            Self::U8(v) => Self::U8(of(v, places)),
         }
     }
 }
 
 /// The optional fields of a terrain, by name, in the order of their names.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Fields(BTreeMap<String, Values>);
+pub struct Fields {
+    /// How many values a field has.
+    nodes: usize,
+    all: BTreeMap<String, Values>,
+}
 
 impl Fields {
+    /// No fields yet, for so many nodes.
+    pub fn sized(nodes: usize) -> Self {
+        Self { nodes, all: BTreeMap::new() }
+    }
+
     /// The field of a key.
     ///
     /// # Errors
     /// [`Error::MissingField`], naming `needed_by`.
     pub fn get<T: Element>(&self, key: &Key<T>, needed_by: &str) -> Result<&[T]> {
-        self.0.get(key.name).and_then(T::of).map(Vec::as_slice).ok_or_else(|| self.missing(key.name, needed_by))
+        self.all.get(key.name).and_then(T::of).map(Vec::as_slice).ok_or_else(|| self.missing(key.name, needed_by))
     }
 
-    /// The field of a name as real numbers.
-    ///
-    /// # Errors
-    /// [`Error::MissingField`], naming `needed_by`.
-    pub fn by_name(&self, name: &str, needed_by: &str) -> Result<Vec<f64>> {
-        self.0.get(name).map(Values::to_f64).ok_or_else(|| self.missing(name, needed_by))
+    /// The field of a name, if there is one.
+    pub fn find(&self, name: &str) -> Option<&Values> {
+        self.all.get(name)
     }
 
     /// Puts a field, replacing one of the same name.
-    pub fn insert<T: Element>(&mut self, key: &Key<T>, values: Vec<T>) {
-        self.0.insert(key.name.into(), T::wrap(values));
+    ///
+    /// # Errors
+    /// [`Error::Shape`] if there is not one value a node.
+    pub fn insert<T: Element>(&mut self, key: &Key<T>, values: Vec<T>) -> Result<()> {
+        self.insert_values(key.name, T::wrap(values))
     }
 
     /// Puts a field under a name that no key has: a user's own.
-    pub fn insert_values(&mut self, name: &str, values: Values) {
-        self.0.insert(name.into(), values);
+    ///
+    /// # Errors
+    /// [`Error::Shape`] if there is not one value a node.
+    pub fn insert_values(&mut self, name: &str, values: Values) -> Result<()> {
+        if values.len() != self.nodes {
+            let (found, expected) = (format!("{} values", values.len()), self.nodes.to_string());
+            return Err(Error::Shape { what: format!("field `{name}`"), found, expected });
+        }
+        self.all.insert(name.into(), values);
+        Ok(())
     }
 
     /// Takes a field out.
     pub fn remove(&mut self, name: &str) -> Option<Values> {
-        self.0.remove(name)
+        self.all.remove(name)
     }
 
     /// Names, sorted.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.0.keys().map(String::as_str)
+        self.all.keys().map(String::as_str)
     }
 
     /// Names and values, sorted by name.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Values)> {
-        self.0.iter().map(|(n, v)| (n.as_str(), v))
+        self.all.iter().map(|(n, v)| (n.as_str(), v))
     }
 
     fn missing(&self, name: &str, needed_by: &str) -> Error {

@@ -57,11 +57,11 @@ pub const SPREAD_AREA: Key<f64> =
     Key::new("spread_area", "m2", "upslope area, own cell included, by D-infinity: water spreads over two neighbours");
 /// A mask.
 pub const MASK: Key<f64> = Key::new("mask", "1", "how much a place is chosen, 0 to 1");
-/// Depth of loose sand.
-pub const SAND_DEPTH: Key<f64> =
-    Key::new("sand_depth", "m", "depth of loose sand on hard ground, part of the elevation");
-/// Depth of snow.
-pub const SNOW_DEPTH: Key<f64> = Key::new("snow_depth", "m", "depth of snow on the ground, part of the elevation");
+/// With the name of a material before it: the depth of that loose layer, m, part of the elevation ("sand_depth").
+pub const DEPTH_SUFFIX: &str = "_depth";
+/// The material at the surface.
+pub const SURFACE_MATERIAL: Key<u8> =
+    Key::new("surface_material", "1", "number of the material at the surface, as the legend beside the file tells");
 /// Strength of the wind.
 pub const WIND: Key<f64> =
     Key::new("wind", "1", "strength of the wind over the ground, 1 where nothing stands in its way");
@@ -103,8 +103,7 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (EXPOSURE.name, EXPOSURE.unit, EXPOSURE.meaning),
     (SPREAD_AREA.name, SPREAD_AREA.unit, SPREAD_AREA.meaning),
     (MASK.name, MASK.unit, MASK.meaning),
-    (SAND_DEPTH.name, SAND_DEPTH.unit, SAND_DEPTH.meaning),
-    (SNOW_DEPTH.name, SNOW_DEPTH.unit, SNOW_DEPTH.meaning),
+    (SURFACE_MATERIAL.name, SURFACE_MATERIAL.unit, SURFACE_MATERIAL.meaning),
     (WIND.name, WIND.unit, WIND.meaning),
     (SHELTER.name, SHELTER.unit, SHELTER.meaning),
     (SHORE_AGE.name, SHORE_AGE.unit, SHORE_AGE.meaning),
@@ -116,5 +115,6 @@ pub const ALL: &[(&str, &str, &str)] = &[
 
 /// Unit of a standard field.
 pub fn unit_of(name: &str) -> Option<&'static str> {
-    ALL.iter().find(|k| k.0 == name).map(|k| k.1)
+    let known = ALL.iter().find(|k| k.0 == name).map(|k| k.1);
+    known.or_else(|| name.ends_with(DEPTH_SUFFIX).then_some("m"))
 }

@@ -1,18 +1,19 @@
 //! A process with its state, behind one face.
 
 use crate::terrain::Terrain;
-use crate::verb::{Change, Context, Process, Step};
+use crate::verb::{Change, Context, Environment, Process, Step};
 use crate::{Error, Result};
 
 /// What the driver asks of a process, whatever its types.
 pub(super) trait Running<T: Terrain>: Send {
     fn name(&self) -> &'static str;
     fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()>;
+    fn reconcile(&mut self, terrain: &mut T, context: &Context) -> Result<()>;
     fn is_at_rest(&self, terrain: &T) -> bool;
     fn max_step(&self, terrain: &T) -> Option<f64>;
     fn begin(&mut self, terrain: &T, at: &Step) -> Result<()>;
     fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change>;
-    fn finish(&mut self, terrain: &mut T) -> Result<()>;
+    fn finish(&mut self, terrain: &mut T, environment: &Environment) -> Result<()>;
     fn save(&self) -> Result<Vec<u8>>;
     fn load(&mut self, bytes: &[u8]) -> Result<()>;
 }
@@ -33,6 +34,13 @@ impl<T: Terrain, P: Process<T>> Running<T> for Run<P, P::State> {
         Ok(())
     }
 
+    fn reconcile(&mut self, terrain: &mut T, context: &Context) -> Result<()> {
+        match &mut self.state {
+            Some(state) => self.params.reconcile(terrain, state, context),
+            None => self.start(terrain, context),
+        }
+    }
+
     fn is_at_rest(&self, terrain: &T) -> bool {
         self.state.as_ref().is_some_and(|s| self.params.is_at_rest(terrain, s))
     }
@@ -51,9 +59,9 @@ impl<T: Terrain, P: Process<T>> Running<T> for Run<P, P::State> {
         self.params.step(terrain, state, at)
     }
 
-    fn finish(&mut self, terrain: &mut T) -> Result<()> {
+    fn finish(&mut self, terrain: &mut T, environment: &Environment) -> Result<()> {
         let state = self.state.as_mut().ok_or_else(|| not_started(P::NAME))?;
-        self.params.finish(terrain, state)
+        self.params.finish(terrain, state, environment)
     }
 
     fn save(&self) -> Result<Vec<u8>> {

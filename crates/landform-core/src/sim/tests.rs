@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::*;
 use crate::grid::{Grid, Shape};
 use crate::random::Seed;
-use crate::terrain::{HeightField, NodeSurface};
+use crate::terrain::{HeightField, Layer, NodeSurface};
 use crate::verb::{CancelToken, Change, Context, Params, Process, Source, Step};
 use crate::{Error, Result};
 
@@ -43,11 +43,13 @@ impl Process<HeightField> for Jitter {
     fn step(&self, terrain: &mut HeightField, steps: &mut u64, at: &Step) -> Result<Change> {
         *steps += 1;
         let mut supplied = 0.0;
-        for (i, z) in terrain.elevation_mut().iter_mut().enumerate() {
-            let rise = self.amount * at.dt * at.seed.uniform(i as u64);
-            *z += rise;
-            supplied += rise;
-        }
+        terrain.change(Layer::Bedrock, |z| {
+            for (i, z) in z.iter_mut().enumerate() {
+                let rise = self.amount * at.dt * at.seed.uniform(i as u64);
+                *z += rise;
+                supplied += rise;
+            }
+        });
         Ok(Change { supplied, raised: self.amount * at.dt, ..Change::default() })
     }
 }
@@ -83,7 +85,7 @@ fn resuming_at_any_step_gives_the_same_bits() {
             Ok(ControlFlow::Continue(()))
         });
         assert_eq!(first.run().unwrap().stopped, Stopped::Cancelled);
-        let saved = first.checkpoint("k").unwrap();
+        let saved = first.model().save("k").unwrap();
         let mut second = simulation().resume("k", &saved).unwrap();
         assert_eq!(second.run().unwrap(), total);
         assert_eq!(second.into_terrain(), *whole.terrain());
@@ -127,8 +129,8 @@ fn clocks_that_cannot_run_are_refused() {
 #[test]
 fn wall_clock_saving_sees_a_state_that_resumes() {
     let saved = Mutex::new(Vec::new());
-    let mut sim = simulation().save_every(0.0, |sim| {
-        saved.lock().unwrap().push(sim.checkpoint("k")?);
+    let mut sim = simulation().save_every(0.0, |model| {
+        saved.lock().unwrap().push(model.save("k")?);
         Ok(())
     });
     let outcome = sim.run().unwrap();
@@ -138,4 +140,39 @@ fn wall_clock_saving_sees_a_state_that_resumes() {
     let mut again = simulation().resume("k", &saved[2]).unwrap();
     again.run().unwrap();
     assert_eq!(again.into_terrain(), end);
+}
+
+#[test]
+fn a_model_is_stepped_edited_saved_and_given_other_parameters() {
+    let mut model = Model::new(terrain()).dt(1.0).seed(Seed(4));
+    model.add(Jitter::default()).unwrap();
+    model.advance(3.0).unwrap();
+    assert!((model.time() - 3.0).abs() < 1e-12);
+    let before = model.terrain().elevation().to_vec();
+    model.edit(|t| t.change(Layer::Bedrock, |z| z[3] += 5.0)).unwrap();
+    model.edit(|t| t.change(Layer::Bedrock, |z| z[9] -= 2.0)).unwrap();
+    assert!((model.terrain().elevation()[3] - before[3] - 5.0).abs() < 1e-12);
+    let budget = model.budget();
+    assert!(budget.imbalance() < 1e-12 && budget.sediment_imbalance() < 1e-12);
+    assert!((budget.change.exported - 2.0).abs() < 1e-12);
+    let saved = model.save("m").unwrap();
+    model.advance_steps(4).unwrap();
+    let mut other = Model::new(terrain()).dt(1.0).seed(Seed(4));
+    other.add(Jitter::default()).unwrap();
+    other.restore("m", &saved).unwrap();
+    other.advance_steps(4).unwrap();
+    assert!(model.terrain() == other.terrain() && model.time() == other.time());
+    model.set(0, Jitter { amount: 0.0 }).unwrap();
+    let still = model.terrain().elevation().to_vec();
+    model.advance(2.0).unwrap();
+    assert_eq!(model.terrain().elevation(), still);
+    assert!(model.set(1, Jitter::default()).is_err() && model.step(0.0).is_err());
+}
+
+#[test]
+fn a_model_can_be_sent_to_another_thread() {
+    let mut model = Model::new(terrain()).dt(1.0);
+    model.add(Jitter::default()).unwrap();
+    let model = std::thread::spawn(move || model.advance(2.0).map(|_| model)).join().unwrap().unwrap();
+    assert!((model.time() - 2.0).abs() < 1e-12);
 }

@@ -1,8 +1,8 @@
 //! Fewer nodes for the same ground, and back: for runs that go from coarse to fine.
 
 use super::convert::elevation_raster;
-use super::{HeightField, Mesh, NodeSurface, height_field};
-use crate::field::{Fields, Values};
+use super::{HeightField, Layer, Layers, Mesh, NodeSurface, height_field};
+use crate::field::Fields;
 use crate::grid::{BASE_LEVEL, Domain, Edges, Grid, INTERIOR, Shape};
 use crate::parallel;
 
@@ -49,9 +49,10 @@ impl Mesh {
         }
         let of = |values: &[u8]| kept.iter().map(|&i| values[i as usize]).collect();
         coarse.set_border(of(&self.border()), of(status));
-        for (z, &i) in coarse.elevation_mut().iter_mut().zip(&kept) {
-            *z = self.elevation()[i as usize];
-        }
+        coarse.change(Layer::Bedrock, |z| {
+            z.iter_mut().zip(&kept).for_each(|(z, &i)| *z = self.elevation()[i as usize]);
+        });
+        coarse.set_layers(self.layers().map(|l| thinned(l, &kept)));
         coarse.fields = pick(&self.fields, &kept);
         Some(coarse)
     }
@@ -62,7 +63,9 @@ impl Mesh {
         let Ok((grid, z)) = elevation_raster(coarse, spacing) else { return };
         let domain = self.domain();
         let positions = self.positions().to_vec();
-        set_interior(self.elevation_mut(), domain.status(), |i| height_field::sample(&grid, &z, positions[i]));
+        self.change(Layer::Bedrock, |fine| {
+            set_interior(fine, domain.status(), |i| height_field::sample(&grid, &z, positions[i]));
+        });
     }
 }
 
@@ -103,7 +106,7 @@ impl Thinned {
 impl HeightField {
     /// Every second node of every second row, or the outlet beside it. **Cost** O(n).
     pub(super) fn quarter(&self) -> Option<Self> {
-        let shape = self.grid.shape;
+        let shape = self.grid().shape;
         if shape.len() < 4 * FEWEST || shape.rows < 5 || shape.cols < 5 {
             return None;
         }
@@ -121,19 +124,20 @@ impl HeightField {
             (0..4).map(of).find(|&i| is_base(i)).unwrap_or(of(0)) as u32
         };
         let kept: Vec<u32> = (0..coarse.len()).map(stands_for).collect();
-        let spacing = self.grid.spacing.map(|s| 2.0 * s);
+        let spacing = self.grid().spacing.map(|s| 2.0 * s);
         let grid = Grid {
             shape: coarse,
             spacing,
-            origin: self.grid.origin,
-            edges: self.grid.edges,
-            georeference: self.grid.georeference.clone(),
+            origin: self.grid().origin,
+            edges: self.grid().edges,
+            georeference: self.grid().georeference.clone(),
         };
         let z = kept.iter().map(|&i| self.elevation()[i as usize]).collect();
         let mut field = Self::new(grid, z).ok()?;
         if let Some(status) = status {
             field.set_status(Some(kept.iter().map(|&i| status[i as usize]).collect()));
         }
+        field.set_layers(self.layers().map(|l| thinned(l, &kept)));
         field.fields = pick(&self.fields, &kept);
         Some(field)
     }
@@ -141,11 +145,13 @@ impl HeightField {
     /// Takes the elevation of interior nodes from a coarser raster, bilinearly; nodes beyond it or beside its nodata keep theirs.
     pub(super) fn take_from(&mut self, coarse: &Self) {
         let domain = self.domain();
-        let grid = self.grid.clone();
+        let grid = self.grid().clone();
         let [[west, south], [east, north]] = coarse.bounds();
-        set_interior(self.elevation_mut(), domain.status(), |i| {
-            let [x, y] = grid.position(i);
-            coarse.elevation_at([x.clamp(west, east), y.clamp(south, north)])
+        self.change(Layer::Bedrock, |z| {
+            set_interior(z, domain.status(), |i| {
+                let [x, y] = grid.position(i);
+                coarse.elevation_at([x.clamp(west, east), y.clamp(south, north)])
+            });
         });
     }
 }
@@ -159,16 +165,15 @@ fn set_interior(elevation: &mut [f64], status: &[u8], new: impl Fn(usize) -> f64
     });
 }
 
+fn thinned(layers: &Layers, kept: &[u32]) -> Layers {
+    layers.mapped(|values| kept.iter().map(|&i| values[i as usize]).collect())
+}
+
 fn pick(fields: &Fields, kept: &[u32]) -> Fields {
-    let mut picked = Fields::default();
+    let mut picked = Fields::sized(kept.len());
     for (name, values) in fields.iter().filter(|(name, _)| *name != "receiver") {
-        picked.insert_values(
-            name,
-            match values {
-                Values::F64(v) => Values::F64(kept.iter().map(|&i| v[i as usize]).collect()),
-                Values::U32(v) => Values::U32(kept.iter().map(|&i| v[i as usize]).collect()),
-            },
-        );
+        // As many as are kept, so that it cannot be refused.
+        let _ = picked.insert_values(name, values.picked(kept));
     }
     picked
 }
@@ -178,23 +183,22 @@ mod tests {
     use super::*;
     use crate::algo::sampling::poisson_disk;
     use crate::random::Seed;
-    use crate::terrain::Terrain;
+    use crate::terrain::Refine;
 
     #[test]
     fn a_plane_survives_coarsening_and_refining() {
         let plane = |[x, y]: [f64; 2]| 3.0 + 0.5 * x - 0.25 * y;
         let sites = poisson_disk([1000.0, 800.0], 8.0, Seed(1)).unwrap();
         let mut mesh = Mesh::delaunay(&sites, Edges::default()).unwrap();
-        for i in 0..mesh.positions().len() {
-            mesh.elevation_mut()[i] = plane(mesh.positions()[i]);
-        }
+        let positions = mesh.positions().to_vec();
+        mesh.change(Layer::Bedrock, |z| z.iter_mut().zip(&positions).for_each(|(z, &p)| *z = plane(p)));
         let coarse = mesh.coarser().unwrap();
         let ratio = mesh.positions().len() as f64 / coarse.positions().len() as f64;
         assert!((3.0..5.0).contains(&ratio), "{ratio}");
         assert!((coarse.area() / mesh.area() - 1.0).abs() < 1e-9);
         let before = mesh.elevation().to_vec();
-        mesh.elevation_mut().iter_mut().for_each(|z| *z += 7.0);
-        mesh.take_elevation_of(&coarse);
+        mesh.change(Layer::Bedrock, |z| z.iter_mut().for_each(|z| *z += 7.0));
+        mesh.take_shape_of(&coarse);
         for (i, z) in mesh.elevation().iter().enumerate() {
             let raised = if mesh.graph().status()[i] == INTERIOR { 0.0 } else { 7.0 };
             assert!((z - before[i] - raised).abs() < 1e-6, "node {i}");
@@ -203,8 +207,8 @@ mod tests {
         let z: Vec<f64> = (0..grid.len()).map(|i| plane(grid.position(i))).collect();
         let mut field = HeightField::new(grid, z.clone()).unwrap();
         let coarse = field.coarser().unwrap();
-        assert_eq!(coarse.grid.shape, Shape::new(20, 21));
-        field.take_elevation_of(&coarse);
+        assert_eq!(coarse.grid().shape, Shape::new(20, 21));
+        field.take_shape_of(&coarse);
         assert!(field.elevation().iter().zip(&z).filter(|(a, b)| (*a - *b).abs() > 1e-9).count() <= 41);
     }
 }

@@ -32,15 +32,22 @@ pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField
         })
     };
     let elevation = linear(mesh.elevation());
-    let mut fields = Fields::default();
+    let mut fields = Fields::sized(grid.len());
     for (name, values) in mesh.fields.iter().filter(|(name, _)| *name != "receiver") {
         let values = match values {
             Values::F64(v) => Values::F64(linear(v)),
+            Values::F32(_) => Values::F64(linear(&values.to_f64())),
             Values::U32(v) => Values::U32(nearest(v)),
+            Values::U8(v) => {
+                let wide: Vec<u32> = v.iter().map(|&v| u32::from(v)).collect();
+                Values::U8(nearest(&wide).into_iter().map(|v| v as u8).collect())
+            }
         };
-        fields.insert_values(name, values);
+        fields.insert_values(name, values)?;
     }
     let mut field = HeightField::new(grid.clone(), elevation)?;
+    field.set_layers(mesh.layers().map(|l| l.mapped(linear)));
+    *field.features_mut() = mesh.features().clone();
     field.fields = fields;
     if let Some(status) = mesh.chosen_status() {
         let domain = field.domain();
@@ -140,7 +147,7 @@ pub enum Interpolation {
 /// # Errors
 /// As [`HeightField::new`].
 pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation) -> Result<HeightField> {
-    let ratio = |k: usize| (grid.spacing[k] / source.grid.spacing[k]).max(1.0);
+    let ratio = |k: usize| (grid.spacing[k] / source.grid().spacing[k]).max(1.0);
     let (nx, ny) = (ratio(0).round().min(64.0) as usize, ratio(1).round().min(64.0) as usize);
     let value = |values: &[f64], i: usize| {
         let [x, y] = grid.position(i);
@@ -149,7 +156,7 @@ pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation)
             for b in 0..nx {
                 let dx = ((b as f64 + 0.5) / nx as f64 - 0.5) * grid.spacing[0];
                 let dy = ((a as f64 + 0.5) / ny as f64 - 0.5) * grid.spacing[1];
-                let v = sample_by(interpolation, &source.grid, values, [x + dx, y - dy]);
+                let v = sample_by(interpolation, source.grid(), values, [x + dx, y - dy]);
                 if !v.is_nan() {
                     sum += v;
                     count += 1;
@@ -164,9 +171,12 @@ pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation)
     };
     let elevation = parallel::map(grid.len(), |i| value(source.elevation(), i));
     let mut field = HeightField::new(grid.clone(), elevation)?;
+    let on_grid = |values: &[f64]| parallel::map(grid.len(), |i| value(values, i));
+    field.set_layers(source.layers().map(|l| l.mapped(on_grid)));
+    *field.features_mut() = source.features().clone();
     for (name, values) in source.fields.iter() {
         if let Values::F64(v) = values {
-            field.fields.insert_values(name, Values::F64(parallel::map(grid.len(), |i| value(v, i))));
+            field.fields.insert_values(name, Values::F64(on_grid(v)))?;
         }
     }
     Ok(field)
@@ -207,14 +217,14 @@ fn on_rim(grid: &Grid, i: usize) -> bool {
 
 /// Points (x, y, z) and counter-clockwise triangles of a raster; squares with a nodata corner are left out.
 pub fn mesh_parts_from_height_field(field: &HeightField) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
-    let shape = field.grid.shape;
+    let shape = field.grid().shape;
     let z = field.elevation();
     let mut index = vec![u32::MAX; z.len()];
     let mut points = Vec::new();
     for i in 0..z.len() {
         if !z[i].is_nan() {
             index[i] = points.len() as u32;
-            let [x, y] = field.grid.position(i);
+            let [x, y] = field.grid().position(i);
             points.push([x, y, z[i]]);
         }
     }
@@ -240,6 +250,7 @@ mod tests {
     use crate::field::names;
     use crate::grid::{Domain, Edges, Shape};
     use crate::random::Seed;
+    use crate::terrain::Layer;
 
     #[test]
     fn a_plane_on_a_mesh_is_the_same_plane_on_a_raster() {
@@ -247,13 +258,14 @@ mod tests {
         let mut mesh = Mesh::delaunay(&sites, Edges::default()).unwrap();
         let plane = |[x, y]: [f64; 2]| 3.0 + 0.5 * x - 0.25 * y;
         for i in 0..mesh.graph().len() {
-            mesh.elevation_mut()[i] = plane(mesh.positions()[i]);
+            let p = mesh.positions()[i];
+            mesh.change(Layer::Bedrock, |z| z[i] = plane(p));
         }
-        mesh.fields.insert(&names::BASIN, vec![4; mesh.graph().len()]);
+        mesh.fields.insert(&names::BASIN, vec![4; mesh.graph().len()]).unwrap();
         let field = height_field_from_mesh(&mesh, 20.0).unwrap();
-        assert_eq!(field.grid.shape, Shape::new(41, 51));
-        for i in 0..field.grid.len() {
-            assert!((field.elevation()[i] - plane(field.grid.position(i))).abs() < 1e-9);
+        assert_eq!(field.grid().shape, Shape::new(41, 51));
+        for i in 0..field.grid().len() {
+            assert!((field.elevation()[i] - plane(field.grid().position(i))).abs() < 1e-9);
         }
         assert!(field.fields.get(&names::BASIN, "test").unwrap().iter().all(|&b| b == 4));
     }
@@ -272,7 +284,7 @@ mod tests {
         assert!((fine.elevation_at([35.0, 45.0]) - 125.0).abs() < 1e-9);
         assert!(fine.elevation_at([100.0, 100.0]).is_nan());
         let coarse = resample(&field, &grid.with_cell_size(20.0).unwrap(), Interpolation::Linear).unwrap();
-        assert_eq!(coarse.grid.shape, Shape::new(11, 11));
+        assert_eq!(coarse.grid().shape, Shape::new(11, 11));
         assert!((coarse.elevation_at([40.0, 40.0]) - 120.0).abs() < 1e-9);
         assert!(coarse.elevation_at([100.0, 100.0]).is_nan());
     }

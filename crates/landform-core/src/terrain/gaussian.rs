@@ -13,7 +13,7 @@ use crate::{math, parallel};
 /// Bell (thesis), algorithm 10, with the distance taken from the cell's own position and the sum returned (validation notes
 /// 3.3). A kernel mean lowers ridges and does not reproduce slopes.
 pub fn gaussian_from_mesh(mesh: &Mesh, onto: &HeightField, sigma: f64) -> Vec<f64> {
-    let grid = &onto.grid;
+    let grid = onto.grid();
     let shape = grid.shape;
     let (mut sum, mut weight) = (vec![0.0; shape.len()], vec![0.0; shape.len()]);
     for (i, &position) in mesh.positions().iter().enumerate() {
@@ -61,7 +61,7 @@ mod tests {
     use crate::algo::sampling::poisson_disk;
     use crate::grid::Edges;
     use crate::random::Seed;
-    use crate::terrain::height_field_from_mesh;
+    use crate::terrain::{Layer, height_field_from_mesh};
 
     #[test]
     fn the_kernel_mean_is_the_sum_over_nodes() {
@@ -69,13 +69,13 @@ mod tests {
         let mut mesh = Mesh::delaunay(&sites, Edges::default()).unwrap();
         for i in 0..mesh.positions().len() {
             let [x, y] = mesh.positions()[i];
-            mesh.elevation_mut()[i] = 0.3 * x + 50.0 * math::sin(y / 90.0);
+            mesh.change(Layer::Bedrock, |z| z[i] = 0.3 * x + 50.0 * math::sin(y / 90.0));
         }
         let onto = height_field_from_mesh(&mesh, 10.0).unwrap();
         let sigma = 6.0;
         let fast = gaussian_from_mesh(&mesh, &onto, sigma);
-        for i in (0..onto.grid.len()).step_by(37) {
-            let p = onto.grid.position(i);
+        for i in (0..onto.grid().len()).step_by(37) {
+            let p = onto.grid().position(i);
             let (mut sum, mut weight) = (0.0, 0.0);
             for (q, z) in mesh.positions().iter().zip(mesh.elevation()) {
                 let d2 = (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2);

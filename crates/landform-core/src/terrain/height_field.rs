@@ -1,26 +1,42 @@
 //! A raster of elevations.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
-use super::{NodeSurface, Terrain};
+use super::{Kind, Layers, NodeSurface, Refine, Terrain};
+use crate::feature::Features;
 use crate::field::Fields;
 use crate::grid::{Domain, Grid, RasterDomain};
 use crate::{Error, Result, parallel};
 
 /// One elevation per node of a regular grid. Nodata is NaN in the elevation, and nowhere else.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct HeightField {
-    /// The grid.
-    pub grid: Grid,
+    grid: Grid,
     elevation: Vec<f64>,
     /// Which nodes have data; empty if all have.
     valid: Arc<Vec<bool>>,
     /// Status of every node, where it is not what the edges say.
     status: Option<Arc<Vec<u8>>>,
+    layers: Option<Box<Layers>>,
+    features: Features,
     /// Optional fields, in the grid's order.
     pub fields: Fields,
+    /// The graph for the status, once somebody asked for it.
+    #[serde(skip)]
+    domain: OnceLock<Arc<RasterDomain>>,
+}
+
+impl PartialEq for HeightField {
+    fn eq(&self, other: &Self) -> bool {
+        let of = |f: &Self| (f.grid.clone(), f.valid.clone(), f.status.clone());
+        of(self) == of(other)
+            && self.elevation == other.elevation
+            && self.layers == other.layers
+            && self.features == other.features
+            && self.fields == other.fields
+    }
 }
 
 impl HeightField {
@@ -45,7 +61,37 @@ impl HeightField {
         }
         let holes = parallel::find_first(elevation.len(), |i| elevation[i].is_nan()).is_some();
         let valid = if holes { parallel::map(elevation.len(), |i| !elevation[i].is_nan()) } else { Vec::new() };
-        Ok(Self { grid, elevation, valid: Arc::new(valid), status: None, fields: Fields::default() })
+        let fields = Fields::sized(elevation.len());
+        let domain = OnceLock::new();
+        Ok(Self {
+            grid,
+            elevation,
+            valid: Arc::new(valid),
+            status: None,
+            layers: None,
+            features: Features::default(),
+            fields,
+            domain,
+        })
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// Puts the raster elsewhere, or changes its spacing or what its sides do.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for a grid of another shape.
+    pub fn set_grid(&mut self, grid: Grid) -> Result<()> {
+        if grid.shape != self.grid.shape {
+            let (found, expected) = (grid.shape.to_string(), self.grid.shape.to_string());
+            return Err(Error::Shape { what: "the grid".into(), found, expected });
+        }
+        self.grid = grid;
+        self.domain = OnceLock::new();
+        Ok(())
     }
 
     /// The status of every node where it is not what the edges say.
@@ -87,27 +133,30 @@ pub(super) fn sample(grid: &Grid, values: &[f64], position: [f64; 2]) -> f64 {
 }
 
 impl Terrain for HeightField {
-    const KIND: &'static str = "height field";
+    const KIND: Kind = Kind::HeightField;
+    const BYTES_A_NODE: u64 = 150;
 
     fn volume(&self) -> f64 {
         let area = self.grid.cell_area();
         parallel::sum(self.elevation.len(), |i| if self.elevation[i].is_nan() { 0.0 } else { self.elevation[i] * area })
     }
 
-    fn find_non_finite(&self) -> Option<(&'static str, usize)> {
+    fn check_finite(&self) -> Result<(), (&'static str, usize)> {
         let wrong = |i: usize| !self.elevation[i].is_finite() && self.is_valid(i);
-        parallel::find_first(self.elevation.len(), wrong).map(|i| ("elevation", i))
+        let in_layers = || self.layers.as_ref().and_then(|l| l.find_non_finite());
+        match parallel::find_first(self.elevation.len(), wrong) {
+            Some(i) => Err(("elevation", i)),
+            None => in_layers().map_or(Ok(()), |i| Err(("depth of a layer", i))),
+        }
     }
+}
 
-    fn watched(&self) -> &[f64] {
-        &self.elevation
-    }
-
+impl Refine for HeightField {
     fn coarser(&self) -> Option<Self> {
         self.quarter()
     }
 
-    fn take_elevation_of(&mut self, coarse: &Self) {
+    fn take_shape_of(&mut self, coarse: &Self) {
         self.take_from(coarse);
     }
 }
@@ -116,11 +165,14 @@ impl NodeSurface for HeightField {
     type Domain = RasterDomain;
 
     fn domain(&self) -> Arc<RasterDomain> {
-        let mut domain = RasterDomain::new(&self.grid, &self.valid);
-        if let Some(status) = &self.status {
-            domain.set_status(status.to_vec());
-        }
-        Arc::new(domain)
+        let make = || {
+            let mut domain = RasterDomain::new(&self.grid, &self.valid);
+            if let Some(status) = &self.status {
+                domain.set_status(status.to_vec());
+            }
+            Arc::new(domain)
+        };
+        self.domain.get_or_init(make).clone()
     }
 
     fn border(&self) -> Vec<u8> {
@@ -129,14 +181,19 @@ impl NodeSurface for HeightField {
 
     fn set_status(&mut self, status: Option<Vec<u8>>) {
         self.status = status.map(Arc::new);
+        self.domain = OnceLock::new();
     }
 
     fn elevation(&self) -> &[f64] {
         &self.elevation
     }
 
-    fn elevation_mut(&mut self) -> &mut [f64] {
-        &mut self.elevation
+    fn layers(&self) -> Option<&Layers> {
+        self.layers.as_deref()
+    }
+
+    fn parts_mut(&mut self) -> (&mut [f64], &mut Option<Box<Layers>>) {
+        (&mut self.elevation, &mut self.layers)
     }
 
     fn position(&self, node: usize) -> [f64; 2] {
@@ -155,6 +212,14 @@ impl NodeSurface for HeightField {
 
     fn fields_mut(&mut self) -> &mut Fields {
         &mut self.fields
+    }
+
+    fn features(&self) -> &Features {
+        &self.features
+    }
+
+    fn features_mut(&mut self) -> &mut Features {
+        &mut self.features
     }
 
     fn epsg(&self) -> Option<u16> {

@@ -18,7 +18,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{NodeSurface, Terrain};
+use super::{Kind, Layers, NodeSurface, Refine, Terrain};
+use crate::feature::Features;
 use crate::field::Fields;
 use crate::grid::{BASE_LEVEL, Domain, Edge, Edges, Graph, INTERIOR, Links};
 use crate::{Error, Result, parallel};
@@ -32,6 +33,8 @@ pub struct Mesh {
     graph: Arc<Graph>,
     /// Status by the open sides of the border.
     border: Arc<Vec<u8>>,
+    layers: Option<Box<Layers>>,
+    features: Features,
     /// Optional fields, in the nodes' order.
     pub fields: Fields,
 }
@@ -43,7 +46,7 @@ impl Mesh {
     ///
     /// # Errors
     /// [`Error::Parameter`] for fewer than three sites, sites that are equal, not finite or all on a line, and for a node
-    /// with more than 254 neighbours.
+    /// with more than 126 neighbours.
     pub fn delaunay(sites: &[[f64; 2]], edges: Edges) -> Result<Self> {
         if sites.len() < 3 {
             return Err(Error::parameter("nodes", sites.len(), "at least 3"));
@@ -65,7 +68,17 @@ impl Mesh {
             triangulation.triangles.chunks_exact(3).map(|t| [t[0] as u32, t[2] as u32, t[1] as u32]).collect();
         let elevation = vec![0.0; positions.len()];
         let border = Arc::new(graph.status().to_vec());
-        Ok(Self { positions, elevation, triangles, graph: Arc::new(graph), border, fields: Fields::default() })
+        let fields = Fields::sized(elevation.len());
+        Ok(Self {
+            positions,
+            elevation,
+            triangles,
+            graph: Arc::new(graph),
+            border,
+            layers: None,
+            features: Features::default(),
+            fields,
+        })
     }
 
     /// Positions of the nodes, m.
@@ -132,6 +145,9 @@ fn hilbert_index(mut x: u32, mut y: u32) -> u32 {
     index
 }
 
+/// Donors are counted in seven bits.
+const MOST_NEIGHBOURS: usize = 126;
+
 const EMPTY: usize = delaunator::EMPTY;
 
 /// Per half-edge: |edge|²-independent weight cot(opposite angle)/2, the Voronoi half-face over the edge's length.
@@ -180,11 +196,11 @@ fn build_graph(
             let [x, y] = positions[node];
             return Err(Error::parameter("nodes", format!("two sites at ({x}, {y})"), "sites that differ"));
         }
-        if degree > 254 {
+        if degree > MOST_NEIGHBOURS {
             return Err(Error::parameter(
                 "nodes",
                 format!("a site with {degree} neighbours"),
-                "at most 254 neighbours",
+                &format!("at most {MOST_NEIGHBOURS} neighbours"),
             ));
         }
         // Clockwise from the library; counter-clockwise here.
@@ -259,25 +275,28 @@ fn is_open([x, y]: [f64; 2], [lo, hi]: [[f64; 2]; 2], edges: Edges) -> bool {
 }
 
 impl Terrain for Mesh {
-    const KIND: &'static str = "mesh";
+    const KIND: Kind = Kind::Mesh;
+    const BYTES_A_NODE: u64 = 420;
 
     fn volume(&self) -> f64 {
         parallel::sum(self.elevation.len(), |i| self.elevation[i] * self.graph.areas()[i])
     }
 
-    fn find_non_finite(&self) -> Option<(&'static str, usize)> {
-        parallel::find_first(self.elevation.len(), |i| !self.elevation[i].is_finite()).map(|i| ("elevation", i))
+    fn check_finite(&self) -> Result<(), (&'static str, usize)> {
+        let in_layers = || self.layers.as_ref().and_then(|l| l.find_non_finite());
+        match parallel::find_first(self.elevation.len(), |i| !self.elevation[i].is_finite()) {
+            Some(i) => Err(("elevation", i)),
+            None => in_layers().map_or(Ok(()), |i| Err(("depth of a layer", i))),
+        }
     }
+}
 
-    fn watched(&self) -> &[f64] {
-        &self.elevation
-    }
-
+impl Refine for Mesh {
     fn coarser(&self) -> Option<Self> {
         self.quarter()
     }
 
-    fn take_elevation_of(&mut self, coarse: &Self) {
+    fn take_shape_of(&mut self, coarse: &Self) {
         self.take_from(coarse);
     }
 }
@@ -301,8 +320,12 @@ impl NodeSurface for Mesh {
         &self.elevation
     }
 
-    fn elevation_mut(&mut self) -> &mut [f64] {
-        &mut self.elevation
+    fn layers(&self) -> Option<&Layers> {
+        self.layers.as_deref()
+    }
+
+    fn parts_mut(&mut self) -> (&mut [f64], &mut Option<Box<Layers>>) {
+        (&mut self.elevation, &mut self.layers)
     }
 
     fn position(&self, node: usize) -> [f64; 2] {
@@ -319,6 +342,14 @@ impl NodeSurface for Mesh {
 
     fn fields_mut(&mut self) -> &mut Fields {
         &mut self.fields
+    }
+
+    fn features(&self) -> &Features {
+        &self.features
+    }
+
+    fn features_mut(&mut self) -> &mut Features {
+        &mut self.features
     }
 }
 

@@ -1,50 +1,96 @@
-//! The representations of a terrain, and what they have in common.
+//! The representations of a terrain, and what each can do.
 //!
-//! Two exist: [`HeightField`] (a raster) and [`Mesh`] (an irregular planar graph). Layered, voxel and implicit terrains
-//! get their own files beside these.
+//! A representation says what it *is* by [`Terrain`], and what it *can do* by capabilities: [`Ground`] (where its surface lies),
+//! [`NodeSurface`] (one elevation per node of a graph), [`Erodible`] (solid can be taken and laid down around a point), [`Refine`] (it has coarser
+//! forms). An algorithm asks for capabilities, never for a representation. [`AnyTerrain`] holds one of any kind and has the only `match` over
+//! kinds in the project.
+//!
+//! Every node surface may be layered: [`Layers`] holds beds of rock and loose layers such as soil, sand and snow.
 
+mod any;
 mod coarsen;
 mod convert;
+mod erode;
 mod gaussian;
+mod ground;
 mod height_field;
+mod layers;
+mod material;
 mod mesh;
 mod sea;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+pub use any::{AnyTerrain, Held, Rasterize, Surface, Visit, bytes_a_node};
 pub use convert::{Interpolation, height_field_from_mesh, mesh_parts_from_height_field, resample, sample_by};
+pub use erode::{Brush, Erodible, Removed};
 pub use gaussian::gaussian_from_mesh;
+pub use ground::{Bounds, Ground};
 pub use height_field::HeightField;
+pub use layers::{Bed, Column, Layer, Layers, MovedVolume, Stratum};
+pub use material::{Material, MaterialParams, Materials};
 pub use mesh::Mesh;
 pub use sea::sea_level;
 
-use crate::field::Fields;
+use crate::feature::Features;
+use crate::field::{Fields, Values, names};
 use crate::grid::Domain;
+use crate::{Error, Result, parallel};
+
+/// Which representation a terrain is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A raster of elevations.
+    HeightField,
+    /// An irregular triangulated surface.
+    Mesh,
+}
+
+impl Kind {
+    /// What it is called in messages: "height field".
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::HeightField => "height field",
+            Self::Mesh => "mesh",
+        }
+    }
+}
+
+impl std::fmt::Display for Kind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
 
 /// What every representation is.
 pub trait Terrain: Clone + Send + Sync + Serialize + DeserializeOwned + 'static {
-    /// What it is called in messages: "height field".
-    const KIND: &'static str;
+    /// Which representation it is.
+    const KIND: Kind;
+    /// Bytes a node while processes run, measured.
+    const BYTES_A_NODE: u64;
 
     /// Volume of the ground above z = 0, m³ (negative below).
     fn volume(&self) -> f64;
 
-    /// The first value that is NaN or infinite where it must not be: field and index.
-    fn find_non_finite(&self) -> Option<(&'static str, usize)>;
+    /// Looks for a number that is NaN or infinite where it must not be.
+    ///
+    /// # Errors
+    /// The name of the field and the index of the first such number.
+    fn check_finite(&self) -> Result<(), (&'static str, usize)>;
+}
 
-    /// The values whose change from step to step tells whether the terrain is steady, m.
-    fn watched(&self) -> &[f64];
-
-    /// The same ground with about a quarter of the nodes; none if it has too few, or no coarser form.
-    fn coarser(&self) -> Option<Self> {
-        None
-    }
+/// A terrain that has coarser forms of itself.
+pub trait Refine: Terrain {
+    /// The same ground with about a quarter of the nodes; none if it has too few.
+    fn coarser(&self) -> Option<Self>;
 
     /// Takes the shape of a coarser form of the same ground, base levels excepted.
-    fn take_elevation_of(&mut self, _coarse: &Self) {}
+    fn take_shape_of(&mut self, coarse: &Self);
 }
 
 /// A terrain with one elevation per node of a graph: what flow, uplift and creep ask of a terrain.
@@ -53,7 +99,7 @@ pub trait NodeSurface: Terrain {
     type Domain: Domain;
 
     /// The graph of the nodes, with base levels on the open border (or where [`NodeSurface::set_status`] put them) and
-    /// nodata masked.
+    /// nodata masked. **Cost** O(1) after the first call for a status.
     fn domain(&self) -> Arc<Self::Domain>;
 
     /// Sets the status of every node (see [`Outlets`](crate::verb::Outlets)); none goes back to what the border says.
@@ -65,8 +111,12 @@ pub trait NodeSurface: Terrain {
     /// Elevation per node, m; NaN on masked nodes.
     fn elevation(&self) -> &[f64];
 
-    /// Elevation per node, to change.
-    fn elevation_mut(&mut self) -> &mut [f64];
+    /// What the ground is made of; none where it is one material.
+    fn layers(&self) -> Option<&Layers>;
+
+    /// Elevation and layers, to the methods of this trait alone.
+    #[doc(hidden)]
+    fn parts_mut(&mut self) -> (&mut [f64], &mut Option<Box<Layers>>);
 
     /// Position of a node, m.
     fn position(&self, node: usize) -> [f64; 2];
@@ -80,8 +130,111 @@ pub trait NodeSurface: Terrain {
     /// Optional fields, to change.
     fn fields_mut(&mut self) -> &mut Fields;
 
+    /// Rivers, lakes and other things with a place, as a stage found them.
+    fn features(&self) -> &Features;
+
+    /// Features, to change.
+    fn features_mut(&mut self) -> &mut Features;
+
     /// EPSG code of the coordinates, if they have one.
     fn epsg(&self) -> Option<u16> {
         None
+    }
+
+    /// Moves the ground: the one way in which its surface changes. `update` is given the elevations (m); layers follow by `layer`.
+    ///
+    /// **Cost** that of `update`; on layered ground O(nodes · layers) more.
+    fn change<R>(&mut self, layer: Layer, update: impl FnOnce(&mut [f64]) -> R) -> R {
+        if self.layers().is_none() {
+            return update(self.parts_mut().0);
+        }
+        let domain = self.domain();
+        let before = self.elevation().to_vec();
+        let (z, layers) = self.parts_mut();
+        let result = update(z);
+        if let Some(layers) = layers {
+            layers.follow(layer, &before, z, &|i| domain.area(i));
+        }
+        result
+    }
+
+    /// Sets the depth (m) of a loose layer on every node; the surface rises or sinks with it, nodata excepted. The layer is made where there is none.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a material that is not in the table; [`Error::Shape`] if the length is not that of the nodes.
+    fn change_depth(&mut self, material: &str, depth: &[f64]) -> Result<()> {
+        let (z, layers) = self.parts_mut();
+        if depth.len() != z.len() {
+            let (found, expected) = (format!("{} values", depth.len()), z.len().to_string());
+            return Err(Error::Shape { what: format!("depth of {material}"), found, expected });
+        }
+        let layers = layers.get_or_insert_with(|| Box::new(Layers::rock(&Materials::default(), depth.len())));
+        let old = layers.depth_mut(material)?;
+        parallel::update(z, |i, z| {
+            if depth[i] != old[i] {
+                *z = (*z - old[i]) + depth[i];
+            }
+        });
+        old.copy_from_slice(depth);
+        Ok(())
+    }
+
+    /// Makes sure that the ground has layers, with a table of materials.
+    fn make_layered(&mut self, materials: &Materials) {
+        let (z, layers) = self.parts_mut();
+        let nodes = z.len();
+        layers.get_or_insert_with(|| Box::new(Layers::rock(materials, nodes)));
+    }
+
+    /// Replaces what the ground is made of; the surface stays.
+    fn set_layers(&mut self, new: Option<Layers>) {
+        *self.parts_mut().1 = new.map(Box::new);
+    }
+
+    /// Depth of a loose layer on every node, m; none where there never was one.
+    fn depth(&self, material: &str) -> Option<&[f64]> {
+        self.layers()?.depth(material)
+    }
+
+    /// The values of a name, as they are stored: "elevation", "surface_material", the depth of a loose layer ("sand_depth"), or an optional field.
+    ///
+    /// # Errors
+    /// [`Error::MissingField`], naming `needed_by` and what there is.
+    fn named(&self, name: &str, needed_by: &str) -> Result<Cow<'_, Values>> {
+        if let Some(values) = self.fields().find(name) {
+            return Ok(Cow::Borrowed(values));
+        }
+        let depth = |material: &str| self.depth(material).map(<[f64]>::to_vec);
+        let values = match (name, self.layers()) {
+            ("elevation", _) => Some(Values::F64(self.elevation().to_vec())),
+            ("surface_material", Some(layers)) => {
+                let z = self.elevation();
+                Some(Values::U8(parallel::map(z.len(), |i| layers.surface_number(i, z[i]))))
+            }
+            _ => name.strip_suffix(names::DEPTH_SUFFIX).and_then(depth).map(Values::F64),
+        };
+        values.map(Cow::Owned).ok_or_else(|| Error::MissingField {
+            name: name.into(),
+            needed_by: needed_by.into(),
+            available: self.names(),
+        })
+    }
+
+    /// Every name that [`NodeSurface::named`] knows.
+    fn names(&self) -> Vec<String> {
+        let layers = self.layers().map(|l| {
+            let depths = l.loose().map(|m| format!("{m}{}", names::DEPTH_SUFFIX));
+            std::iter::once("surface_material".to_string()).chain(depths).collect::<Vec<_>>()
+        });
+        let fields = self.fields().names().map(String::from);
+        std::iter::once("elevation".to_string()).chain(layers.into_iter().flatten()).chain(fields).collect()
+    }
+
+    /// The field of a name as real numbers.
+    ///
+    /// # Errors
+    /// As [`NodeSurface::named`].
+    fn real(&self, name: &str, needed_by: &str) -> Result<Vec<f64>> {
+        Ok(self.named(name, needed_by)?.to_f64())
     }
 }

@@ -62,6 +62,29 @@ impl<D: Dimension> Changing<D> {
     }
 }
 
+impl<D: Dimension> Changing<D> {
+    /// The mean value from one time (s) to a later one, SI: exact for lines, by Simpson's rule in sixteen parts for cycles.
+    pub fn mean(&self, from: f64, to: f64) -> f64 {
+        if !(to > from) {
+            return self.at(from);
+        }
+        match self {
+            Self::Constant(q) => q.si(),
+            Self::Linear { times, .. } => {
+                let inside = times.iter().map(|t| t.si()).filter(|t| *t > from && *t < to);
+                let knots: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+                let area = |w: &[f64]| 0.5 * (self.at(w[0]) + self.at(w[1])) * (w[1] - w[0]);
+                knots.windows(2).map(area).sum::<f64>() / (to - from)
+            }
+            Self::Cycle { .. } => {
+                let weight = |k: i32| if k == 0 || k == 32 { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
+                let at = |k: i32| weight(k) * self.at(from + (to - from) * f64::from(k) / 32.0);
+                (0..=32).map(at).sum::<f64>() / 96.0
+            }
+        }
+    }
+}
+
 impl<D: Dimension> Serialize for Changing<D> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = match self {
@@ -123,24 +146,59 @@ impl<'de, D: Dimension> Visitor<'de> for ChangingVisitor<D> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Changing<D>, A::Error> {
-        let (mut times, mut values): (Option<Vec<Duration>>, Option<Vec<Quantity<D>>>) = (None, None);
-        let (mut mean, mut amplitude, mut period) = (None, None, None);
+        let mut course = Course::default();
         while let Some(key) = map.next_key::<String>()? {
-            match key.as_str() {
-                "times" => times = Some(map.next_value()?),
-                "values" => values = Some(map.next_value()?),
-                "mean" => mean = Some(map.next_value()?),
-                "amplitude" => amplitude = Some(map.next_value()?),
-                "period" => period = Some(map.next_value()?),
-                other => return Err(de::Error::unknown_field(other, KEYS)),
+            if !course.take(&key, &mut map)? {
+                return Err(de::Error::unknown_field(&key, KEYS));
             }
         }
-        match (times, values, mean, amplitude, period) {
-            (Some(times), Some(values), None, None, None) => linear(times, values).map_err(de::Error::custom),
-            (None, None, Some(mean), Some(amplitude), Some(period)) => {
-                cycle(mean, amplitude, period).map_err(de::Error::custom)
-            }
-            _ => Err(de::Error::custom("expected `times` and `values`, or `mean`, `amplitude` and `period`")),
+        course.build().map_err(de::Error::custom)
+    }
+}
+
+/// The parts of a table that tells a course in time, as they are read.
+pub(super) struct Course<D: Dimension> {
+    times: Option<Vec<Duration>>,
+    values: Option<Vec<Quantity<D>>>,
+    mean: Option<Quantity<D>>,
+    amplitude: Option<Quantity<D>>,
+    period: Option<Duration>,
+}
+
+impl<D: Dimension> Default for Course<D> {
+    fn default() -> Self {
+        Self { times: None, values: None, mean: None, amplitude: None, period: None }
+    }
+}
+
+impl<D: Dimension> Course<D> {
+    /// Reads the value of a key, if the key is of a course.
+    pub(super) fn take<'de, A: MapAccess<'de>>(&mut self, key: &str, map: &mut A) -> Result<bool, A::Error> {
+        match key {
+            "times" => self.times = Some(map.next_value()?),
+            "values" => self.values = Some(map.next_value()?),
+            "mean" => self.mean = Some(map.next_value()?),
+            "amplitude" => self.amplitude = Some(map.next_value()?),
+            "period" => self.period = Some(map.next_value()?),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Whether nothing was read.
+    pub(super) fn is_empty(&self) -> bool {
+        self.times.is_none()
+            && self.values.is_none()
+            && self.mean.is_none()
+            && self.amplitude.is_none()
+            && self.period.is_none()
+    }
+
+    pub(super) fn build(self) -> Result<Changing<D>, String> {
+        match (self.times, self.values, self.mean, self.amplitude, self.period) {
+            (Some(times), Some(values), None, None, None) => linear(times, values),
+            (None, None, Some(mean), Some(amplitude), Some(period)) => cycle(mean, amplitude, period),
+            _ => Err("expected `times` and `values`, or `mean`, `amplitude` and `period`".into()),
         }
     }
 }
@@ -174,18 +232,24 @@ impl<D: Dimension> JsonSchema for Changing<D> {
         format!("changing {}", D::NAME).into()
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let (value, time) = (Quantity::<D>::json_schema(generator), Duration::json_schema(generator));
+        let value = Quantity::<D>::json_schema(generator);
+        let [lines, cycle] = course_schemas::<D>(generator);
         json_schema!({
-            "anyOf": [
-                value,
-                { "type": "object", "additionalProperties": false, "required": ["times", "values"],
-                  "properties": { "times": { "type": "array", "items": time }, "values": { "type": "array", "items": value } } },
-                { "type": "object", "additionalProperties": false, "required": ["mean", "amplitude", "period"],
-                  "properties": { "mean": value, "amplitude": value, "period": time } },
-            ],
+            "anyOf": [value, lines, cycle],
             "x-unit": D::UNIT, "x-dimension": D::NAME, "x-example": D::EXAMPLE, "x-changing": true
         })
     }
+}
+
+/// The schemas of the tables that tell a course in time.
+pub(super) fn course_schemas<D: Dimension>(generator: &mut SchemaGenerator) -> [Schema; 2] {
+    let (value, time) = (Quantity::<D>::json_schema(generator), Duration::json_schema(generator));
+    [
+        json_schema!({ "type": "object", "additionalProperties": false, "required": ["times", "values"],
+            "properties": { "times": { "type": "array", "items": time }, "values": { "type": "array", "items": value } } }),
+        json_schema!({ "type": "object", "additionalProperties": false, "required": ["mean", "amplitude", "period"],
+            "properties": { "mean": value, "amplitude": value, "period": time } }),
+    ]
 }
 
 #[cfg(test)]
@@ -209,6 +273,19 @@ mod tests {
             for (time, value) in [0.0, 2.0, 3.0].into_iter().zip(expected) {
                 assert!((changing.at(time * MYR) - value).abs() < 1e-9, "{json} at {time} Myr");
             }
+        }
+    }
+
+    #[test]
+    fn means_over_a_step_are_those_of_many_small_ones() {
+        for json in [
+            r#"{"times":["1 Myr","3 Myr","4 Myr"],"values":["0 m","-100 m","50 m"]}"#,
+            r#"{"mean":"10 m","amplitude":"50 m","period":"4 Myr"}"#,
+        ] {
+            let changing = read(json).unwrap();
+            let fine = (0..10_000).map(|k| changing.at((0.5 + (f64::from(k) + 0.5) * 4.5e-4) * MYR)).sum::<f64>() / 1e4;
+            assert!((changing.mean(0.5 * MYR, 5.0 * MYR) - fine).abs() < 1e-3, "{json}");
+            assert_eq!(changing.mean(MYR, MYR), changing.at(MYR));
         }
     }
 

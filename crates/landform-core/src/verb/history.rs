@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Outcome;
+use super::{Environment, Outcome};
 
 /// One stage that acted on the landscape.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,15 +17,32 @@ pub struct Event {
     pub outcome: Option<Outcome>,
 }
 
-/// A terrain with the record of how it came to be.
+/// A terrain with its surroundings and the record of how it came to be, as measures and exports see it.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Landscape<'a, T> {
     /// The terrain.
     pub terrain: &'a T,
+    /// Sea level, rain, winds and materials.
+    pub environment: &'a Environment,
     /// Stages so far, oldest first.
     pub history: &'a [Event],
     /// Seed of the recipe.
     pub seed: u64,
     /// Title, for pictures and reports.
     pub title: &'a str,
+}
+
+impl<'a, T> Landscape<'a, T> {
+    /// A terrain by itself: no history, the environment that recipes have if they say nothing.
+    pub fn plain(terrain: &'a T) -> Self {
+        let environment = super::Context::default().environment;
+        Self { terrain, environment, history: &[], seed: 0, title: "" }
+    }
+
+    /// The same surroundings with another terrain.
+    pub fn with<'b, U>(&'b self, terrain: &'b U) -> Landscape<'b, U> {
+        let Self { environment, history, seed, title, .. } = *self;
+        Landscape { terrain, environment, history, seed, title }
+    }
 }

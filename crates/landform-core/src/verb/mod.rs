@@ -6,12 +6,17 @@
 //! time step).
 
 mod changing;
+mod context;
+mod environment;
+mod features;
 mod formula;
 mod history;
+mod maps;
 mod outcome;
 mod outlets;
 mod output;
 mod params;
+mod reach;
 mod varying;
 mod wind;
 
@@ -22,13 +27,18 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use changing::Changing;
+pub use context::Context;
+pub use environment::Environment;
+pub use features::FeatureWord;
 pub use formula::Formula;
 pub use history::{Event, Landscape};
+pub use maps::{Image, Maps, NoMaps};
 pub use outcome::{Budget, Outcome, Stopped};
 pub use outlets::{BorderWhere, Mask, NamedOutlets, Outlets};
-pub use output::{MemoryOutput, Output, relative_path};
+pub use output::{MemoryOutput, Output, check_path, relative_path};
 pub use params::{Params, Source, properties, validate_ranges};
-pub use varying::{Context, Image, Maps, NoMaps, Resolved, Varying};
+pub use reach::Reach;
+pub use varying::{Lookup, Resolved, Varying};
 pub use wind::{Rose, Wind};
 
 use crate::Result;
@@ -107,7 +117,7 @@ pub trait Measure<T: Terrain>: Params {
     ///
     /// # Errors
     /// What the terrain lacks.
-    fn measure(&self, terrain: &T) -> Result<Self::Out>;
+    fn measure(&self, landscape: &Landscape<'_, T>) -> Result<Self::Out>;
 }
 
 /// Writes files about a terrain.
@@ -121,8 +131,6 @@ pub trait Export<T: Terrain>: Params {
 
 /// Changes a terrain over time.
 pub trait Process<T: Terrain>: Params {
-    /// Fields that must be there at the start.
-    const READS: &'static [&'static str] = &[];
     /// Fields that it changes or leaves behind ("elevation" among them).
     const WRITES: &'static [&'static str];
 
@@ -159,6 +167,17 @@ pub trait Process<T: Terrain>: Params {
         Ok(())
     }
 
+    /// Looks at a terrain that was changed from outside, or at other parameters, in mid-run: nothing that was known of ground, status or sea
+    /// holds any more. By default the process begins anew; what it lays down at the start of a run it must not lay down again
+    /// ([`Context::step`] tells).
+    ///
+    /// # Errors
+    /// As [`Process::start`].
+    fn reconcile(&self, terrain: &mut T, state: &mut Self::State, context: &Context) -> Result<()> {
+        *state = self.start(terrain, context)?;
+        Ok(())
+    }
+
     /// Advances by `at.dt`.
     ///
     /// # Errors
@@ -169,7 +188,7 @@ pub trait Process<T: Terrain>: Params {
     ///
     /// # Errors
     /// What failed numerically.
-    fn finish(&self, _terrain: &mut T, _state: &mut Self::State) -> Result<()> {
+    fn finish(&self, _terrain: &mut T, _state: &mut Self::State, _environment: &Environment) -> Result<()> {
         Ok(())
     }
 }
@@ -196,10 +215,10 @@ pub struct Step {
     pub time: f64,
     /// Length of the step, s.
     pub dt: f64,
-    /// Whether the run may end with this step: what [`Process::finish`] leaves about the last step need not be kept else.
-    pub may_be_last: bool,
     /// Seed of this step of this process.
     pub seed: Seed,
+    /// Sea level, rain, winds and materials, where the process says nothing itself.
+    pub environment: Arc<Environment>,
     /// To be polled by steps that take more than about a second.
     pub cancel: CancelToken,
 }

@@ -126,7 +126,6 @@ mod tests {
     use crate::grid::{Grid, Shape};
     use crate::random::Seed;
     use crate::terrain::HeightField;
-    use crate::verb::NoMaps;
 
     fn base_count(terrain: &HeightField) -> usize {
         terrain.domain().status().iter().filter(|&&s| s == BASE_LEVEL).count()
@@ -138,7 +137,7 @@ mod tests {
         let z = (0..100).map(|i| f64::from((i * 37) % 11)).collect();
         let mut terrain = HeightField::new(grid, z).unwrap();
         assert_eq!(base_count(&terrain), 36);
-        let context = Context { seed: Seed(1), maps: &NoMaps };
+        let context = Context { seed: Seed(1), ..Context::default() };
         let mut apply = |outlets: &str| {
             let outlets: Outlets = serde_json::from_str(outlets).unwrap();
             outlets.check().unwrap();

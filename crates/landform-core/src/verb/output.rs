@@ -25,6 +25,18 @@ impl Output for MemoryOutput {
     }
 }
 
+/// Refuses a path that leaves the output folder or does not end as one of `ends`.
+///
+/// # Errors
+/// [`Error::Parameter`] otherwise.
+pub fn check_path(path: &str, ends: &[&str]) -> Result<()> {
+    relative_path(path)?;
+    if ends.iter().any(|e| path.to_lowercase().ends_with(e)) {
+        return Ok(());
+    }
+    Err(Error::parameter("path", format!("\"{path}\""), &format!("a name that ends with {}", ends.join(" or "))))
+}
+
 /// The path, if it names a file below where it is put.
 ///
 /// # Errors

@@ -7,6 +7,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
+use super::Reach;
 use crate::{Error, Result};
 
 /// A published source of a method.
@@ -32,6 +33,22 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     const SOURCES: &'static [Source];
     /// Keys whose value is a path to a file that is read.
     const INPUTS: &'static [&'static str] = &[];
+    /// Whether it takes other landscapes (`with = ["label"]`).
+    const WITH: bool = false;
+    /// Parameters that vary in space and may change in time as well.
+    const IN_TIME: &'static [&'static str] = &[];
+    /// Words that were used in earlier recipes, and what they are called now ("steps" → "iterations", "size" → "grid.size").
+    const RENAMED: &'static [(&'static str, &'static str)] = &[];
+
+    /// Files that the stage writes, below the output folder.
+    fn outputs(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// How far around a place the ground can matter to what the stage does there.
+    fn reach(&self) -> Reach {
+        Reach::Whole
+    }
 
     /// What a range cannot say.
     ///
@@ -47,7 +64,9 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     /// The first parameter that is wrong.
     fn validate(&self) -> Result<()> {
         let values = serde_json::to_value(self).map_err(|e| Error::parameter(Self::NAME, "?", &e.to_string()))?;
-        validate_ranges(&schema_of::<Self>(), &values)?;
+        let schema = schema_of::<Self>();
+        validate_ranges(&schema, &values)?;
+        refuse_courses(&schema, &values, Self::IN_TIME)?;
         self.check()
     }
 }
@@ -92,24 +111,54 @@ fn choices(property: &Value, definitions: &Value) -> Vec<String> {
     found
 }
 
-/// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties.
+/// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties, tables within tables and lists of tables too.
 ///
 /// # Errors
-/// [`Error::Parameter`] for the first value outside.
+/// [`Error::Parameter`] for the first value outside, with its name as a path: "grid.cell_size".
 pub fn validate_ranges(schema: &Value, values: &Value) -> Result<()> {
+    within(schema, &schema["$defs"], values, "")
+}
+
+fn within(schema: &Value, definitions: &Value, values: &Value, prefix: &str) -> Result<()> {
     let (Some(properties), Some(values)) = (schema["properties"].as_object(), values.as_object()) else {
         return Ok(());
     };
     for (name, property) in properties {
         let Some(value) = values.get(name) else { continue };
+        let path = format!("{prefix}{name}");
         for (number, text) in numbers(value) {
             let bound = |key: &str| property[key].as_f64();
             let inside = bound("x-min").is_none_or(|b| number >= b * (1.0 - 1e-9))
                 && bound("x-max").is_none_or(|b| number <= b * (1.0 + 1e-9))
                 && bound("x-above").is_none_or(|b| number > b);
             if !inside {
-                return Err(Error::parameter(name, text, &range_text(property)));
+                return Err(Error::parameter(&path, text, &range_text(property)));
             }
+        }
+        if let Some(table) = table_of(property, definitions) {
+            let tables = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);
+            tables.iter().try_for_each(|t| within(table, definitions, t, &format!("{path}.")))?;
+        }
+    }
+    Ok(())
+}
+
+/// The schema of the table that a property is, may be, or is a list of.
+fn table_of<'a>(property: &'a Value, definitions: &'a Value) -> Option<&'a Value> {
+    if let Some(name) = property["$ref"].as_str().and_then(|r| r.strip_prefix("#/$defs/")) {
+        return Some(&definitions[name]).filter(|d| d["properties"].is_object());
+    }
+    let listed = ["anyOf", "allOf"].iter().filter_map(|k| property[*k].as_array()).flatten();
+    listed.chain(property.get("items")).find_map(|p| table_of(p, definitions))
+}
+
+/// Refuses a course in time for a parameter that is read once.
+fn refuse_courses(schema: &Value, values: &Value, allowed: &[&str]) -> Result<()> {
+    for (name, value) in values.as_object().into_iter().flatten() {
+        let course = value.get("times").is_some() || value.get("period").is_some();
+        let property = &schema["properties"][name];
+        if course && !allowed.contains(&name.as_str()) && property.to_string().contains("x-varying") {
+            return Err(Error::parameter(name, "a course in time", "a value that does not change in time"));
         }
     }
     Ok(())
@@ -136,7 +185,11 @@ fn numbers(value: &Value) -> Vec<(f64, String)> {
             number.map(|v| (v, s.clone())).into_iter().collect()
         }
         Value::Array(items) => items.iter().flat_map(numbers).collect(),
-        Value::Object(map) => ["black", "white"].iter().filter_map(|k| map.get(*k)).flat_map(numbers).collect(),
+        Value::Object(map) => ["black", "white", "values", "mean", "inside", "outside"]
+            .iter()
+            .filter_map(|k| map.get(*k))
+            .flat_map(numbers)
+            .collect(),
         _ => Vec::new(),
     }
 }

@@ -8,58 +8,22 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::Formula;
+use super::changing::{Course, course_schemas};
+use super::{Changing, Formula, Maps};
+use crate::feature::{FeatureKind, near};
 use crate::random::Seed;
-use crate::terrain::{HeightField, NodeSurface};
-use crate::units::{Dimension, Quantity, unit_factor};
+use crate::terrain::NodeSurface;
+use crate::units::{Dimension, Length, Quantity, unit_factor};
 use crate::{Error, Result, math, parallel};
 
-/// What a stage may ask of the world: its seed, and maps by path.
-#[derive(Clone, Copy)]
-pub struct Context<'a> {
+/// What values are resolved against.
+pub trait Lookup: Sync {
     /// Seed of the stage.
-    pub seed: Seed,
+    fn seed(&self) -> Seed;
     /// Where maps are read from.
-    pub maps: &'a dyn Maps,
-}
-
-/// A grey picture, row 0 north, values from 0 (black) to 1 (white).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Image {
-    /// Rows.
-    pub rows: usize,
-    /// Columns.
-    pub cols: usize,
-    /// Row-major values.
-    pub values: Vec<f64>,
-}
-
-/// Reads maps. Core opens no file; whoever runs a recipe says how.
-pub trait Maps: Sync {
-    /// Reads a picture as grey.
-    ///
-    /// # Errors
-    /// [`Error::Io`] or [`Error::Format`].
-    fn image(&self, path: &Path) -> Result<Image>;
-
-    /// Reads a georeferenced raster.
-    ///
-    /// # Errors
-    /// [`Error::Io`] or [`Error::Format`].
-    fn raster(&self, path: &Path) -> Result<HeightField>;
-}
-
-/// No maps at all.
-#[derive(Clone, Copy, Debug)]
-pub struct NoMaps;
-
-impl Maps for NoMaps {
-    fn image(&self, path: &Path) -> Result<Image> {
-        Err(Error::io("read", path, std::io::ErrorKind::NotFound.into()))
-    }
-    fn raster(&self, path: &Path) -> Result<HeightField> {
-        Err(Error::io("read", path, std::io::ErrorKind::NotFound.into()))
-    }
+    fn maps(&self) -> &dyn Maps;
+    /// Time of the run, s.
+    fn time(&self) -> f64;
 }
 
 /// A quantity that is uniform or varies in space.
@@ -90,6 +54,19 @@ pub enum Varying<D: Dimension> {
         /// Unit of its value.
         unit: String,
     },
+    /// One value on features of the landscape and near them, another elsewhere.
+    Feature {
+        /// Word for the features: "rivers".
+        kind: String,
+        /// How near is near.
+        buffer: Length,
+        /// Value on and near them.
+        inside: Quantity<D>,
+        /// Value elsewhere.
+        outside: Quantity<D>,
+    },
+    /// The same everywhere, but changing in time.
+    InTime(Changing<D>),
     /// A field of the landscape, in the customary unit unless `unit` says otherwise.
     Field {
         /// Name of the field.
@@ -140,17 +117,24 @@ impl<D: Dimension> From<Quantity<D>> for Varying<D> {
 }
 
 impl<D: Dimension> Varying<D> {
-    /// The values on the nodes of a terrain, SI; evaluated once, so a formula of z sees the elevation as it is now.
+    /// The mean from one time (s) to a later one, SI, where the quantity changes in time; none where it does not.
+    pub fn in_time(&self, from: f64, to: f64) -> Option<f64> {
+        if let Self::InTime(course) = self { Some(course.mean(from, to)) } else { None }
+    }
+
+    /// The values on the nodes of a terrain, SI; evaluated once, so a formula of z sees the elevation as it is now, and a course in time is taken at
+    /// the start ([`Varying::in_time`] gives it later).
     ///
     /// # Errors
     /// A missing file or field, a raster that does not cover the terrain, or a value that is not finite, with `name` as the
     /// parameter's name.
-    pub fn resolve<T: NodeSurface>(&self, name: &str, terrain: &T, context: &Context) -> Result<Resolved> {
+    pub fn resolve<T: NodeSurface>(&self, name: &str, terrain: &T, context: &impl Lookup) -> Result<Resolved> {
         let n = terrain.elevation().len();
         let values = match self {
             Self::Uniform(q) => return Ok(Resolved::Uniform(q.si())),
+            Self::InTime(course) => return Ok(Resolved::Uniform(course.at(context.time()))),
             Self::Image { path, black, white } => {
-                let image = context.maps.image(Path::new(path))?;
+                let image = context.maps().image(Path::new(path))?;
                 let (b, w) = (black.si(), white.si());
                 let [lo, hi] = terrain.bounds();
                 parallel::map(n, |i| {
@@ -160,8 +144,8 @@ impl<D: Dimension> Varying<D> {
                 })
             }
             Self::Raster { path, unit } => {
-                let raster = context.maps.raster(Path::new(path))?;
-                if let (Some(a), Some(b)) = (raster.grid.georeference.epsg, terrain.epsg())
+                let raster = context.maps().raster(Path::new(path))?;
+                if let (Some(a), Some(b)) = (raster.grid().georeference.epsg, terrain.epsg())
                     && a != b
                 {
                     return Err(Error::parameter(
@@ -178,15 +162,30 @@ impl<D: Dimension> Varying<D> {
                 let bounds = terrain.bounds();
                 parallel::map(n, |i| {
                     let z = terrain.elevation()[i];
-                    factor * formula.at(bounds, terrain.position(i), z, context.seed)
+                    factor * formula.at(bounds, terrain.position(i), z, context.seed())
                 })
+            }
+            Self::Feature { kind: word, buffer, inside, outside } => {
+                let features = terrain.features();
+                let kind = FeatureKind::of(word).filter(|kind| features.of(*kind).next().is_some());
+                let Some(kind) = kind else {
+                    return Err(Error::MissingField {
+                        name: word.clone(),
+                        needed_by: format!("`{name}`"),
+                        available: FeatureKind::ALL
+                            .iter()
+                            .filter(|k| features.of(k.1).next().is_some())
+                            .map(|k| k.0.to_string())
+                            .collect(),
+                    });
+                };
+                let places: Vec<[f64; 2]> = (0..n).map(|i| terrain.position(i)).collect();
+                let marked = near(features.of(kind), buffer.si(), &places);
+                marked.iter().map(|&m| if m { inside.si() } else { outside.si() }).collect()
             }
             Self::Field { name: field, unit } => {
                 let factor = factor::<D>(unit);
-                let values = match field.as_str() {
-                    "elevation" => terrain.elevation().to_vec(),
-                    other => terrain.fields().by_name(other, &format!("`{name}`"))?,
-                };
+                let values = terrain.real(field, &format!("`{name}`"))?;
                 parallel::map(n, |i| factor * values[i])
             }
         };
@@ -207,27 +206,15 @@ fn factor<D: Dimension>(unit: &str) -> f64 {
     unit_factor::<D>(unit).unwrap_or(D::UNIT_SI)
 }
 
-impl Image {
-    /// Bilinear value at (u east, v north), both 0 to 1 between the outer pixels' centres.
-    pub fn at(&self, u: f64, v: f64) -> f64 {
-        let x = u.clamp(0.0, 1.0) * (self.cols - 1) as f64;
-        let y = (1.0 - v.clamp(0.0, 1.0)) * (self.rows - 1) as f64;
-        let (c, r) = (x as usize, y as usize);
-        let (c1, r1) = ((c + 1).min(self.cols - 1), (r + 1).min(self.rows - 1));
-        let at = |r: usize, c: usize| self.values[r * self.cols + c];
-        let (fx, fy) = (x - c as f64, y - r as f64);
-        math::lerp(math::lerp(at(r, c), at(r, c1), fx), math::lerp(at(r1, c), at(r1, c1), fx), fy)
-    }
-}
-
 impl<D: Dimension> Serialize for Varying<D> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = match self {
             Self::Uniform(q) => return q.serialize(serializer),
+            Self::InTime(course) => return course.serialize(serializer),
             _ => serializer.serialize_map(None)?,
         };
         match self {
-            Self::Uniform(_) => {}
+            Self::Uniform(_) | Self::InTime(_) => {}
             Self::Image { path, black, white } => {
                 map.serialize_entry("image", path)?;
                 map.serialize_entry("black", black)?;
@@ -241,6 +228,12 @@ impl<D: Dimension> Serialize for Varying<D> {
                 map.serialize_entry("formula", formula.text())?;
                 map.serialize_entry("unit", unit)?;
             }
+            Self::Feature { kind, buffer, inside, outside } => {
+                map.serialize_entry("feature", kind)?;
+                map.serialize_entry("buffer", buffer)?;
+                map.serialize_entry("inside", inside)?;
+                map.serialize_entry("outside", outside)?;
+            }
             Self::Field { name, unit } => {
                 map.serialize_entry("field", name)?;
                 map.serialize_entry("unit", unit)?;
@@ -250,7 +243,24 @@ impl<D: Dimension> Serialize for Varying<D> {
     }
 }
 
-const KEYS: &[&str] = &["image", "black", "white", "raster", "formula", "field", "unit"];
+const KEYS: &[&str] = &[
+    "image",
+    "black",
+    "white",
+    "raster",
+    "formula",
+    "field",
+    "feature",
+    "buffer",
+    "inside",
+    "outside",
+    "unit",
+    "times",
+    "values",
+    "mean",
+    "amplitude",
+    "period",
+];
 
 impl<'de, D: Dimension> Deserialize<'de> for Varying<D> {
     fn deserialize<De: Deserializer<'de>>(deserializer: De) -> Result<Self, De::Error> {
@@ -264,7 +274,12 @@ impl<'de, D: Dimension> Visitor<'de> for VaryingVisitor<D> {
     type Value = Varying<D>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a {} such as \"{}\", or a table with `image`, `raster`, `formula` or `field`", D::NAME, D::EXAMPLE)
+        write!(
+            f,
+            "a {} such as \"{}\", or a table with `image`, `raster`, `formula`, `field`, `feature`, or `times` and `values`",
+            D::NAME,
+            D::EXAMPLE
+        )
     }
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<Varying<D>, E> {
@@ -296,12 +311,28 @@ impl<'de, D: Dimension> Visitor<'de> for VaryingVisitor<D> {
                     parts.formula = Some(Formula::parse(&text).map_err(de::Error::custom)?);
                 }
                 "field" => parts.field = Some(map.next_value()?),
+                "feature" => {
+                    let word: String = map.next_value()?;
+                    if FeatureKind::of(&word).is_none() {
+                        let words: Vec<&str> = FeatureKind::ALL.iter().map(|k| k.0).collect();
+                        let what = format!("there is no feature \"{word}\", expected one of {}", words.join(", "));
+                        return Err(de::Error::custom(what));
+                    }
+                    parts.feature = Some(word);
+                }
+                "buffer" => parts.buffer = Some(map.next_value()?),
+                "inside" => parts.inside = Some(map.next_value()?),
+                "outside" => parts.outside = Some(map.next_value()?),
                 "unit" => {
                     let unit: String = map.next_value()?;
                     unit_factor::<D>(&unit).map_err(de::Error::custom)?;
                     parts.unit = Some(unit);
                 }
-                other => return Err(de::Error::unknown_field(other, KEYS)),
+                other => {
+                    if !parts.course.take(other, &mut map)? {
+                        return Err(de::Error::unknown_field(other, KEYS));
+                    }
+                }
             }
         }
         parts.build()
@@ -316,11 +347,29 @@ struct Parts<D: Dimension> {
     formula: Option<Formula>,
     field: Option<String>,
     unit: Option<String>,
+    feature: Option<String>,
+    buffer: Option<Length>,
+    inside: Option<Quantity<D>>,
+    outside: Option<Quantity<D>>,
+    course: Course<D>,
 }
 
 impl<D: Dimension> Default for Parts<D> {
     fn default() -> Self {
-        Self { image: None, black: None, white: None, raster: None, formula: None, field: None, unit: None }
+        Self {
+            image: None,
+            black: None,
+            white: None,
+            raster: None,
+            formula: None,
+            field: None,
+            unit: None,
+            feature: None,
+            buffer: None,
+            inside: None,
+            outside: None,
+            course: Course::default(),
+        }
     }
 }
 
@@ -329,14 +378,36 @@ impl<D: Dimension> Parts<D> {
         let given = usize::from(self.image.is_some())
             + usize::from(self.raster.is_some())
             + usize::from(self.formula.is_some())
-            + usize::from(self.field.is_some());
+            + usize::from(self.field.is_some())
+            + usize::from(self.feature.is_some())
+            + usize::from(!self.course.is_empty());
         if given != 1 {
             return Err(E::custom(format!(
-                "{given} of `image`, `raster`, `formula`, `field` given; expected exactly one"
+                "{given} of `image`, `raster`, `formula`, `field`, `feature`, `times` given; expected exactly one"
             )));
         }
         if self.image.is_none() && (self.black.is_some() || self.white.is_some()) {
             return Err(E::custom("`black` and `white` go with `image`"));
+        }
+        if let Some(kind) = self.feature {
+            let one = |value: f64| Quantity::of(value);
+            let (inside, outside) = (self.inside.unwrap_or(one(1.0)), self.outside.unwrap_or(one(0.0)));
+            let buffer = self.buffer.unwrap_or(Length::of(0.0));
+            if !(buffer.si() >= 0.0) || self.unit.is_some() {
+                return Err(E::custom(
+                    "`feature` takes a `buffer` of at least 0 m, and no `unit`: give it with `inside` and `outside`",
+                ));
+            }
+            return Ok(Varying::Feature { kind, buffer, inside, outside });
+        }
+        if self.buffer.is_some() || self.inside.is_some() || self.outside.is_some() {
+            return Err(E::custom("`buffer`, `inside` and `outside` go with `feature`"));
+        }
+        if !self.course.is_empty() {
+            if self.unit.is_some() {
+                return Err(E::custom("a course in time takes no `unit`: give it with every value"));
+            }
+            return self.course.build().map(Varying::InTime).map_err(E::custom);
         }
         if let Some(path) = self.image {
             if self.unit.is_some() {
@@ -373,6 +444,7 @@ impl<D: Dimension> JsonSchema for Varying<D> {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let quantity = Quantity::<D>::json_schema(generator);
         let text = json_schema!({ "type": "string" });
+        let [lines, cycle] = course_schemas::<D>(generator);
         json_schema!({
             "anyOf": [
                 quantity,
@@ -384,6 +456,11 @@ impl<D: Dimension> JsonSchema for Varying<D> {
                   "properties": { "formula": text, "unit": text } },
                 { "type": "object", "additionalProperties": false, "required": ["field"],
                   "properties": { "field": text, "unit": text } },
+                { "type": "object", "additionalProperties": false, "required": ["feature"],
+                  "properties": { "feature": { "enum": ["rivers", "lakes", "basins", "coasts", "contours"] },
+                    "buffer": Length::json_schema(generator), "inside": quantity, "outside": quantity } },
+                lines,
+                cycle,
             ],
             "x-unit": D::UNIT, "x-dimension": D::NAME, "x-example": D::EXAMPLE, "x-varying": true
         })
@@ -394,7 +471,9 @@ impl<D: Dimension> JsonSchema for Varying<D> {
 mod tests {
     use super::*;
     use crate::grid::{Grid, Shape};
+    use crate::terrain::HeightField;
     use crate::units::RateDimension;
+    use crate::verb::Context;
 
     type Rate = Varying<RateDimension>;
 
@@ -403,13 +482,15 @@ mod tests {
     }
 
     #[test]
-    fn the_five_shapes_are_read_and_written_back() {
+    fn the_seven_shapes_are_read_and_written_back() {
         for json in [
             r#""0.4 mm/yr""#,
             r#"{"image":"a.png","black":"0 mm/yr","white":"0.4 mm/yr"}"#,
             r#"{"raster":"a.tif","unit":"mm/yr"}"#,
             r#"{"formula":"0.4*(1 - r)","unit":"mm/yr"}"#,
             r#"{"field":"uplift","unit":"mm/yr"}"#,
+            r#"{"times":["0 yr","1000 yr"],"values":["0 mm/yr","1 mm/yr"]}"#,
+            r#"{"feature":"rivers","buffer":"50 m","inside":"0.1 mm/yr","outside":"0 mm/yr"}"#,
         ] {
             assert_eq!(serde_json::to_string(&read(json).unwrap()).unwrap(), json);
         }
@@ -424,6 +505,9 @@ mod tests {
             (r#"{"formula":"1","unit":"m"}"#, "wrong dimension"),
             (r#"{"fromula":"1","unit":"m"}"#, "unknown field `fromula`"),
             (r#"{"formula":"1","field":"x","unit":"mm/yr"}"#, "expected exactly one"),
+            (r#"{"times":["0 yr"],"field":"x"}"#, "expected exactly one"),
+            (r#"{"feature":"river"}"#, "expected one of rivers, lakes"),
+            (r#"{"buffer":"3 m","field":"x"}"#, "go with `feature`"),
             (r#""0.4 m""#, "wrong dimension"),
             ("true", "expected a rate such as \"0.4 mm/yr\", or a table"),
         ] {
@@ -435,7 +519,7 @@ mod tests {
     #[test]
     fn a_formula_is_evaluated_on_the_nodes() {
         let terrain = HeightField::new(Grid::new(Shape::new(3, 5), [10.0, 10.0]).unwrap(), vec![2.0; 15]).unwrap();
-        let context = Context { seed: Seed(1), maps: &NoMaps };
+        let context = Context { seed: Seed(1), ..Context::default() };
         let rate = read(r#"{"formula":"u + z","unit":"mm/yr"}"#).unwrap();
         let values = rate.resolve("rate", &terrain, &context).unwrap();
         assert!((values.at(4) / crate::units::MM_PER_YEAR - 3.0).abs() < 1e-12);
@@ -443,14 +527,5 @@ mod tests {
         assert!(bad.resolve("rate", &terrain, &context).unwrap_err().to_string().contains("`rate` is not a number"));
         let missing = read(r#"{"field":"uplift"}"#).unwrap();
         assert!(missing.resolve("rate", &terrain, &context).is_err());
-    }
-
-    #[test]
-    fn an_image_is_stretched_from_edge_to_edge() {
-        let image = Image { rows: 2, cols: 2, values: vec![0.0, 1.0, 0.5, 0.25] };
-        assert_eq!(image.at(0.0, 1.0), 0.0);
-        assert_eq!(image.at(1.0, 1.0), 1.0);
-        assert_eq!(image.at(0.0, 0.0), 0.5);
-        assert_eq!(image.at(0.5, 1.0), 0.5);
     }
 }

@@ -1,28 +1,41 @@
 //! What all GeoJSON files have in common.
 
-use landform_core::{Error, Result, math};
+use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
+use landform_core::{Error, Result};
 use serde_json::{Value as Json, json};
 
-/// Rounds to a thousandth of a node's distance or to the centimetre, whichever is finer; it keeps order, so that no river runs uphill.
-#[derive(Clone, Copy)]
-pub(super) struct Digits(f64);
-
-impl Digits {
-    pub(super) fn of(spacing: f64) -> Self {
-        Self(math::pow(10.0, (-math::log10(spacing.max(1e-9))).ceil() + 3.0).max(100.0))
+/// A feature as GeoJSON.
+pub(super) fn json_of(feature: &Feature) -> Json {
+    let (geometry, coordinates) = match &feature.geometry {
+        Geometry::Point(p) => ("Point", json!(p)),
+        Geometry::Line(line) => ("LineString", json!(line)),
+        Geometry::FlatLine(line) => ("LineString", json!(line)),
+        Geometry::Area(parts) if parts.len() == 1 && feature.kind == FeatureKind::Lake => ("Polygon", json!(parts[0])),
+        Geometry::Area(parts) => ("MultiPolygon", json!(parts)),
+        Geometry::Network { nodes, edges } => {
+            let line = |[a, b]: [u32; 2]| json!([nodes[a as usize], nodes[b as usize]]);
+            ("MultiLineString", edges.iter().map(|e| line(*e)).collect())
+        }
+        _ => ("GeometryCollection", json!([])),
+    };
+    let mut properties = serde_json::Map::new();
+    properties.insert("kind".into(), feature.kind.word().into());
+    properties.insert("id".into(), feature.id.clone().into());
+    for (name, property) in &feature.properties {
+        properties.insert(name.clone(), value(property));
     }
-
-    pub(super) fn round(self, v: f64) -> f64 {
-        (v * self.0).round() / self.0
-    }
-
-    pub(super) fn all<const N: usize>(self, p: [f64; N]) -> [f64; N] {
-        p.map(|v| self.round(v))
-    }
+    json!({ "geometry": { "type": geometry, "coordinates": coordinates }, "properties": properties, "type": "Feature" })
 }
 
-pub(super) fn feature(geometry: &str, coordinates: Json, properties: Json) -> Json {
-    json!({ "geometry": { "type": geometry, "coordinates": coordinates }, "properties": properties, "type": "Feature" })
+fn value(property: &Property) -> Json {
+    match property {
+        Property::Flag(v) => json!(v),
+        Property::Whole(v) => json!(v),
+        Property::Number(v) => json!(v),
+        Property::Text(v) | Property::Id(v) => json!(v),
+        Property::Place(v) => json!(v),
+        _ => Json::Null,
+    }
 }
 
 /// A collection as text, one feature a line: small differences stay small.

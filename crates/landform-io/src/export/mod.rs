@@ -10,12 +10,6 @@ mod write_picture;
 mod write_raster;
 mod write_report;
 
-use std::borrow::Cow;
-
-use landform_core::Result;
-use landform_core::grid::Domain;
-use landform_core::terrain::{HeightField, Mesh, NodeSurface, height_field_from_mesh};
-
 pub use write_contours::WriteContours;
 pub use write_features::WriteFeatures;
 pub use write_heightmap::{Preset, WriteHeightmap};
@@ -25,26 +19,15 @@ pub use write_picture::{ViewKind, WritePicture};
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
 
-/// What can be drawn: a raster, or something that a raster can stand for.
-pub trait Drawable: NodeSurface {
-    /// The raster.
-    ///
-    /// # Errors
-    /// As [`HeightField::new`].
-    fn raster(&self) -> Result<Cow<'_, HeightField>>;
-}
+use landform_core::terrain::{HeightField, Mesh};
 
-impl Drawable for HeightField {
-    fn raster(&self) -> Result<Cow<'_, HeightField>> {
-        Ok(Cow::Borrowed(self))
-    }
-}
-
-impl Drawable for Mesh {
-    /// Cells of half the mean distance between nodes, within 2048² cells.
-    fn raster(&self) -> Result<Cow<'_, HeightField>> {
-        let area = self.area();
-        let cell = 0.5 * (area / self.graph().len() as f64).sqrt();
-        height_field_from_mesh(self, cell.max((area / (2048.0 * 2048.0)).sqrt())).map(Cow::Owned)
-    }
+landform_core::stages! {
+    export WriteRaster where HeightField;
+    export WriteHeightmap where HeightField;
+    export WriteContours where HeightField, Mesh;
+    export WriteFeatures where HeightField, Mesh;
+    export WriteMaps where HeightField, Mesh;
+    export WriteMesh where HeightField, Mesh;
+    export WritePicture where HeightField, Mesh;
+    export WriteReport where HeightField, Mesh;
 }

@@ -1,17 +1,15 @@
 //! Contours and coasts as a vector file.
 
-use landform_core::algo::isoline::{Isoline, isolines};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::analysis::{FeatureSearch, find_features};
+use landform_core::feature::{Feature, FeatureKind, Geometry};
+use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
 use landform_core::units::Length;
-use landform_core::verb::{Export, Landscape, Output, Params, Source};
-use landform_core::{Error, Result};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, check_path};
+use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value as Json, json};
 
-use super::Drawable;
-use super::geojson::{Digits, collection, feature};
-use crate::measure::check_path;
+use super::geojson::{collection, json_of};
 
 /// Writes contours as lines (closed ones as rings, high ground on their left), in the landscape's own metres: GeoJSON. One level alone
 /// is a coast.
@@ -40,6 +38,10 @@ impl Params for WriteContours {
     const NAME: &'static str = "write_contours";
     const SOURCES: &'static [Source] = &[];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
         check_path(&self.path, &[".geojson", ".json"])
     }
@@ -67,7 +69,6 @@ impl WriteContours {
 
 /// 1, 2 or 5 times a power of ten, the next one above.
 fn round_interval(rough: f64) -> f64 {
-    use landform_core::math;
     if !(rough > 0.0) {
         return 1.0;
     }
@@ -75,30 +76,22 @@ fn round_interval(rough: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|k| k * decade).find(|s| *s >= rough * (1.0 - 1e-9)).unwrap_or(10.0 * decade)
 }
 
-impl<T: Drawable> Export<T> for WriteContours {
+impl<T: Rasterize> Export<T> for WriteContours {
     fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
-        let raster = landscape.terrain.raster()?;
-        let digits = Digits::of(raster.grid.spacing[0].min(raster.grid.spacing[1]));
-        let mut features = Vec::new();
-        for level in self.levels(&raster)? {
-            let lines = isolines(&raster.grid, raster.elevation(), level);
-            let long = lines.iter().filter(|l| l.length() >= self.least_length.si());
-            features.extend(long.map(|l| contour(l, level, digits)));
-        }
+        let raster = landscape.terrain.rasterized()?;
+        let search = FeatureSearch { levels: self.levels(&raster)?, ..FeatureSearch::of(FeatureKind::Contour) };
+        let found = find_features(&*raster, &search)?;
+        let is_long = |f: &&Feature| match &f.geometry {
+            Geometry::FlatLine(line) => length(line) >= self.least_length.si(),
+            _ => true,
+        };
+        let features = found.iter().filter(is_long).map(json_of).collect();
         out.put(&self.path, collection(landscape.title, raster.epsg(), features)?.as_bytes())
     }
 }
 
-fn contour(line: &Isoline, level: f64, digits: Digits) -> Json {
-    let points: Vec<_> = line.points.iter().map(|p| digits.all(*p)).collect();
-    let properties = json!({
-        "kind": "contour",
-        "level_m": level,
-        "closed": line.closed,
-        "length_m": digits.round(line.length()),
-        "area_m2": digits.round(line.area()),
-    });
-    feature("LineString", json!(points), properties)
+fn length(line: &[[f64; 2]]) -> f64 {
+    line.windows(2).map(|w| math::hypot(w[1][0] - w[0][0], w[1][1] - w[0][1])).sum()
 }
 
 #[cfg(test)]

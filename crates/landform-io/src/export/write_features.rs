@@ -1,17 +1,15 @@
 //! Rivers, lakes and basins as a vector file.
 
-use std::borrow::Cow;
-
-use landform_core::analysis::{Basin, Drainage, Lake, Polygon, RiverReach, Width, basins, lakes, rivers};
-use landform_core::units::{Area, Length, Rate};
-use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::analysis::{FeatureSearch, Width, find_features};
+use landform_core::feature::FeatureKind;
+use landform_core::terrain::Rasterize;
+use landform_core::units::{Area, Length, MM_PER_YEAR, Rate};
+use landform_core::verb::{Export, FeatureWord, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value as Json, json};
 
-use super::Drawable;
-use super::geojson::{Digits, collection, feature};
+use super::geojson::{collection, json_of};
 
 /// Writes rivers as lines that only run downhill (x, y and the water's elevation), lakes and basins as polygons, with their
 /// properties: GeoJSON in the landscape's own metres.
@@ -20,23 +18,25 @@ use super::geojson::{Digits, collection, feature};
 pub struct WriteFeatures {
     /// Path below the output folder.
     pub path: String,
-    /// Whether rivers are written.
-    pub rivers: bool,
-    /// Whether lakes are written.
-    pub lakes: bool,
-    /// Whether basins are written.
-    pub basins: bool,
+    /// What is written. What the landscape has already is written as it is, the rest is found first.
+    pub features: Vec<FeatureWord>,
+    /// Word of earlier recipes: false leaves rivers out.
+    pub rivers: Option<bool>,
+    /// Word of earlier recipes: false leaves lakes out.
+    pub lakes: Option<bool>,
+    /// Word of earlier recipes: false leaves basins out.
+    pub basins: Option<bool>,
     /// Least drainage area of a river and of a basin; a two-thousandth of the map if not given.
     #[schemars(extend("x-above" = 0.0))]
     pub least_area: Option<Area>,
     /// Least depth of a lake, where it is deepest.
     #[schemars(extend("x-min" = 0.0))]
     pub least_depth: Length,
-    /// Level of the sea, at which rivers end; at the landscape's own outlets if not given.
+    /// Sea level, at which rivers end. As the environment has it, if not given; else rivers end at the landscape's own outlets.
     pub sea_level: Option<Length>,
-    /// Rainfall for discharge, where the landscape has no field of it; all of it runs off.
+    /// Rainfall for discharge, where the landscape has no field of it; all of it runs off. As the environment has it, if not given; else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
-    pub rainfall: Rate,
+    pub rainfall: Option<Rate>,
     /// Width of a river that carries 1 m3/s, m, where the depth of the water is not known.
     #[schemars(extend("x-above" = 0.0))]
     pub width_coefficient: f64,
@@ -45,18 +45,22 @@ pub struct WriteFeatures {
     pub width_exponent: f64,
 }
 
+/// Rainfall where nothing is said: 1 m/yr.
+const USUAL_RAIN: f64 = 1_000.0 * MM_PER_YEAR;
+
 impl Default for WriteFeatures {
     fn default() -> Self {
         let width = Width::default();
         Self {
             path: "features.geojson".into(),
-            rivers: true,
-            lakes: true,
-            basins: true,
+            features: vec![FeatureWord::Rivers, FeatureWord::Lakes, FeatureWord::Basins],
+            rivers: None,
+            lakes: None,
+            basins: None,
             least_area: None,
             least_depth: Length::of(1.0),
             sea_level: None,
-            rainfall: Rate::of(1_000.0),
+            rainfall: None,
             width_coefficient: width.coefficient,
             width_exponent: width.exponent,
         }
@@ -65,6 +69,8 @@ impl Default for WriteFeatures {
 
 impl Params for WriteFeatures {
     const NAME: &'static str = "write_features";
+    const RENAMED: &'static [(&'static str, &'static str)] =
+        &[("rivers", "!features"), ("lakes", "!features"), ("basins", "!features")];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Strahler (1957)",
@@ -78,6 +84,10 @@ impl Params for WriteFeatures {
         },
     ];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
         relative_path(&self.path)?;
         let known = [".geojson", ".json"].iter().any(|e| self.path.to_lowercase().ends_with(e));
@@ -89,97 +99,35 @@ impl Params for WriteFeatures {
     }
 }
 
-impl<T: Drawable> Export<T> for WriteFeatures {
-    fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
-        let terrain = landscape.terrain;
-        let mut features = Vec::new();
-        let [lo, hi] = terrain.bounds();
-        let longer = (hi[0] - lo[0]).max(hi[1] - lo[1]);
-        let side = |k: usize| if hi[k] > lo[k] { hi[k] - lo[k] } else { longer / terrain.elevation().len() as f64 };
-        let map = (side(0) * side(1)).max(f64::MIN_POSITIVE);
-        let digits = Digits::of((map / terrain.elevation().len() as f64).sqrt());
-        let least = self.least_area.map_or(map / 2_000.0, Area::si);
-        let (sea, rain) = (self.sea_level.map(Length::si), self.rainfall.si());
-        if self.rivers {
-            let drainage = Drainage::of(terrain, sea, rain);
-            let width = Width { coefficient: self.width_coefficient, exponent: self.width_exponent };
-            features.extend(rivers(terrain, &drainage, least, width).iter().map(|r| river(r, digits)));
-        }
-        if self.lakes || self.basins {
-            let raster: Cow<'_, _> = terrain.raster()?;
-            let drainage = Drainage::of(&*raster, sea, rain);
-            if self.lakes {
-                let least_area = 4.0 * raster.grid.cell_area();
-                let found = lakes(&raster, &drainage, self.least_depth.si(), least_area);
-                features.extend(found.iter().enumerate().map(|(k, l)| lake(k, l, digits)));
-            }
-            if self.basins {
-                features.extend(basins(&raster, &drainage, least).iter().enumerate().map(|(k, b)| basin(k, b, digits)));
-            }
-        }
-        out.put(&self.path, collection(landscape.title, terrain.epsg(), features)?.as_bytes())
+impl WriteFeatures {
+    /// The kinds that are written.
+    fn kinds(&self) -> Vec<FeatureKind> {
+        let words =
+            [(FeatureWord::Rivers, self.rivers), (FeatureWord::Lakes, self.lakes), (FeatureWord::Basins, self.basins)];
+        let is_out = |word: &FeatureWord| words.iter().any(|w| w.0 == *word && w.1 == Some(false));
+        self.features.iter().filter(|w| !is_out(w)).map(|w| w.kind()).collect()
     }
 }
 
-/// Four digits.
-fn short(v: f64) -> f64 {
-    format!("{v:.3e}").parse().unwrap_or(v)
-}
-
-fn river(r: &RiverReach, digits: Digits) -> Json {
-    let id = |(river, reach): (u32, u32)| format!("{river}.{reach}");
-    let points: Vec<_> = r.points.iter().map(|p| digits.all(*p)).collect();
-    let (above, below) = (points[0][2], points[points.len() - 1][2]);
-    let properties = json!({
-        "kind": "river",
-        "id": id((r.river, r.reach)),
-        "river": r.river,
-        "reach": r.reach,
-        "flows_to": r.to.map(id),
-        "ends": match (r.to, r.leaves) { (Some(_), _) => "in a river", (None, true) => "at an outlet", _ => "in a hollow" },
-        "order": r.order,
-        "drainage_area_m2": short(r.area),
-        "discharge_m3_s": short(r.discharge),
-        "width_m": short(r.width),
-        "width_above_m": short(r.width_above),
-        "depth_m": short(r.depth),
-        "length_m": short(r.length),
-        "elevation_above_m": above,
-        "elevation_below_m": below,
-    });
-    feature("LineString", json!(points), properties)
-}
-
-fn rings(polygon: &Polygon, digits: Digits) -> Json {
-    json!(polygon.iter().map(|ring| ring.iter().map(|p| digits.all(*p)).collect()).collect::<Vec<Vec<_>>>())
-}
-
-fn lake(k: usize, l: &Lake, digits: Digits) -> Json {
-    let properties = json!({
-        "kind": "lake",
-        "id": format!("lake {}", k + 1),
-        "level_m": digits.round(l.level),
-        "depth_m": digits.round(l.depth),
-        "mean_depth_m": digits.round(l.volume / l.area),
-        "area_m2": short(l.area),
-        "volume_m3": short(l.volume),
-        "outlet": l.outlet.map(|p| digits.all(p)),
-        "discharge_m3_s": short(l.discharge),
-    });
-    feature("Polygon", rings(&l.shore, digits), properties)
-}
-
-fn basin(k: usize, b: &Basin, digits: Digits) -> Json {
-    let [least, mean, greatest] = digits.all(b.elevation);
-    let properties = json!({
-        "kind": "basin",
-        "id": format!("basin {}", k + 1),
-        "area_m2": short(b.area),
-        "outlet": digits.all(b.outlet),
-        "lowest_m": least,
-        "mean_m": mean,
-        "highest_m": greatest,
-        "hypsometric_integral": short(b.hypsometric_integral),
-    });
-    feature("MultiPolygon", json!(b.outline.iter().map(|p| rings(p, digits)).collect::<Vec<_>>()), properties)
+impl<T: Rasterize> Export<T> for WriteFeatures {
+    fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
+        let (terrain, kinds) = (landscape.terrain, self.kinds());
+        let known = terrain.features();
+        let missing = kinds.iter().copied().filter(|kind| known.of(*kind).next().is_none()).collect::<Vec<_>>();
+        let found = find_features(
+            terrain,
+            &FeatureSearch {
+                kinds: missing,
+                least_area: self.least_area.map(Area::si),
+                least_depth: self.least_depth.si(),
+                sea_level: landscape.environment.sea(self.sea_level),
+                rainfall: self.rainfall.or(landscape.environment.uniform_rain()).map_or(USUAL_RAIN, Rate::si),
+                width: Width { coefficient: self.width_coefficient, exponent: self.width_exponent },
+                levels: Vec::new(),
+            },
+        )?;
+        let of = |kind: &FeatureKind| known.of(*kind).chain(found.of(*kind)).map(json_of).collect::<Vec<_>>();
+        let features = kinds.iter().flat_map(of).collect();
+        out.put(&self.path, collection(landscape.title, terrain.epsg(), features)?.as_bytes())
+    }
 }

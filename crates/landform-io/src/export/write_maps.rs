@@ -3,15 +3,15 @@
 use landform_core::algo::derivative::gradient;
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::analysis::density;
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
 use landform_core::units::Length;
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Drawable, WriteContours, WriteFeatures};
-use crate::format::{GeotiffOptions, RasterFile, encode_png, raster_format};
+use super::{WriteContours, WriteFeatures};
+use crate::format::{RasterFile, encode_png, raster_format};
 use crate::report::{field_pictures, spectrum_picture};
 
 /// Writes maps of what follows from the ground into a folder: pictures (shaded relief, slope, drainage area, curvature, position, spectrum), GeoTIFFs (slope,
@@ -21,9 +21,13 @@ use crate::report::{field_pictures, spectrum_picture};
 pub struct WriteMaps {
     /// Folder below the output folder.
     pub path: String,
-    /// Level of the sea, at which rivers end.
+    /// Sea level, at which rivers end. As the environment has it, if not given.
     pub sea_level: Option<Length>,
 }
+
+/// What may be written; which of them depends on the landscape.
+const FILES: &[&str] =
+    &["contours.geojson", "features.geojson", "slope.tif", "aspect.tif", "drainage_area.tif", "spectrum.png"];
 
 impl Default for WriteMaps {
     fn default() -> Self {
@@ -35,32 +39,29 @@ impl Params for WriteMaps {
     const NAME: &'static str = "write_maps";
     const SOURCES: &'static [Source] = &[];
 
+    fn outputs(&self) -> Vec<String> {
+        FILES.iter().map(|name| format!("{}/{name}", self.path.trim_end_matches('/'))).collect()
+    }
+
     fn check(&self) -> Result<()> {
         relative_path(&self.path).map(drop)
     }
 }
 
-impl<T: Drawable> Export<T> for WriteMaps {
+impl<T: Rasterize> Export<T> for WriteMaps {
     fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
-        let raster = landscape.terrain.raster()?;
+        let raster = landscape.terrain.rasterized()?;
         let at = |name: &str| format!("{}/{name}", self.path.trim_end_matches('/'));
         for (name, picture) in field_pictures(&raster)? {
             out.put(&at(&format!("{name}.png")), &encode_png(&picture.pixels, picture.shape)?)?;
         }
-        if let Some((_, density)) = density(&raster.grid, raster.elevation(), true) {
+        if let Some((_, density)) = density(raster.grid(), raster.elevation(), true) {
             let picture = spectrum_picture(&density);
             out.put(&at("spectrum.png"), &encode_png(&picture.pixels, picture.shape)?)?;
         }
         for (field, unit, values) in rasters(&raster) {
             let path = at(&format!("{field}.tif"));
-            let file = RasterFile {
-                grid: &raster.grid,
-                values: &values,
-                field,
-                unit,
-                seed: landscape.seed,
-                geotiff: GeotiffOptions::default(),
-            };
+            let file = RasterFile::real(raster.grid(), &values, field, unit, landscape.seed);
             out.put(&path, &(raster_format(path.as_ref())?.write)(&file)?)?;
         }
         WriteContours { path: at("contours.geojson"), ..WriteContours::default() }.export(landscape, out)?;
@@ -72,7 +73,7 @@ impl<T: Drawable> Export<T> for WriteMaps {
 
 /// Name, unit and values of the rasters.
 fn rasters(raster: &HeightField) -> Vec<(&'static str, &'static str, Vec<f64>)> {
-    let (grid, z) = (&raster.grid, raster.elevation());
+    let (grid, z) = (raster.grid(), raster.elevation());
     let domain = raster.domain();
     let (mut flow, mut area) = (Flow::new(), node_areas(&*domain));
     flow.route(&*domain, z, &mut area);

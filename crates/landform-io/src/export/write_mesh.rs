@@ -49,6 +49,10 @@ impl Params for WriteMesh {
     const NAME: &'static str = "write_mesh";
     const SOURCES: &'static [Source] = &[];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
         relative_path(&self.path)?;
         if self.surface == MeshSurface::Water && self.solid_base.is_some() {

@@ -2,14 +2,13 @@
 
 use landform_core::analysis::{LEAST_WINDOW, density};
 use landform_core::grid::Shape;
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
 use landform_core::units::Angle;
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Drawable;
 use crate::format::encode_png;
 use crate::render::{MapStyle, Picture, Ramp, View, field_map, perspective, shaded_map, value_picture};
 
@@ -33,7 +32,7 @@ pub struct WritePicture {
     /// Whether rivers and lakes are drawn.
     pub water: bool,
     /// Perspective only: compass direction from which the camera looks.
-    pub from: Angle,
+    pub view_from: Angle,
     /// Perspective only: angle by which the camera looks down.
     #[schemars(extend("x-min" = 3.0, "x-max" = 89.0))]
     pub tilt: Angle,
@@ -73,7 +72,7 @@ impl Default for WritePicture {
             ramp: None,
             logarithmic: None,
             water: true,
-            from: Angle::from_si(view.from),
+            view_from: Angle::from_si(view.from),
             tilt: Angle::from_si(view.tilt),
             sun: Angle::from_si(view.sun),
             sun_altitude: Angle::from_si(view.sun_altitude),
@@ -86,6 +85,10 @@ impl Default for WritePicture {
 impl Params for WritePicture {
     const NAME: &'static str = "write_picture";
     const SOURCES: &'static [Source] = &[];
+
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
 
     fn check(&self) -> Result<()> {
         relative_path(&self.path)?;
@@ -104,15 +107,15 @@ impl WritePicture {
     ///
     /// # Errors
     /// A field that is missing; as `HeightField::new`.
-    pub fn draw<T: Drawable>(&self, terrain: &T) -> Result<Picture> {
-        let raster = terrain.raster()?;
+    pub fn draw<T: Rasterize>(&self, terrain: &T) -> Result<Picture> {
+        let raster = terrain.rasterized()?;
         if self.view == ViewKind::Perspective {
             return Ok(perspective(
                 &raster,
                 &View {
                     width: self.size,
                     height: self.size * 9 / 16,
-                    from: self.from.si(),
+                    from: self.view_from.si(),
                     tilt: self.tilt.si(),
                     sun: self.sun.si(),
                     sun_altitude: self.sun_altitude.si(),
@@ -135,15 +138,15 @@ impl WritePicture {
         };
         match field {
             None => shaded_map(&raster, &style),
-            Some(name) => field_map(&raster, &raster.fields.by_name(name, "`write_picture`")?, &style),
+            Some(name) => field_map(&raster, &raster.real(name, "`write_picture`")?, &style),
         }
     }
 }
 
 impl WritePicture {
     fn spectrum(&self, raster: &HeightField) -> Result<Picture> {
-        let Some((_, density)) = density(&raster.grid, raster.elevation(), true) else {
-            let value = format!("a raster of {}", raster.grid.shape);
+        let Some((_, density)) = density(raster.grid(), raster.elevation(), true) else {
+            let value = format!("a raster of {}", raster.grid().shape);
             return Err(Error::parameter(
                 "view",
                 value,
@@ -156,7 +159,7 @@ impl WritePicture {
     }
 }
 
-impl<T: Drawable> Export<T> for WritePicture {
+impl<T: Rasterize> Export<T> for WritePicture {
     fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
         let picture = self.draw(landscape.terrain)?;
         out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?)

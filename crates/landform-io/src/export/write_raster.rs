@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
-use landform_core::field::names;
+use landform_core::field::{Values, names};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::format::{Compression, DataType, GeotiffOptions, RasterFile, raster_format};
+use crate::format::{Compression, DataType, GeotiffOptions, RasterFile, Samples, raster_format, sidecar_path};
 
 /// Writes a field as a raster file; the extension says which: tif, asc, exr, npy, png (16 bit), pgm, r16. Formats that do
-/// not carry their own scale and place get a sidecar, name.landform.json.
+/// not carry their own scale and place get a sidecar, its name with .landform.json after it, which also tells what classes mean.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteRaster {
@@ -20,8 +20,8 @@ pub struct WriteRaster {
     pub field: String,
     /// Path below the output folder.
     pub path: String,
-    /// GeoTIFF only: type of the samples.
-    pub data_type: DataType,
+    /// GeoTIFF only: type of the samples. If not given, float32 for real numbers, uint32 for identifiers, uint8 for classes.
+    pub data_type: Option<DataType>,
     /// GeoTIFF only: how the samples are packed.
     pub compression: Compression,
     /// GeoTIFF only: tiles of 512 x 512 rather than strips.
@@ -33,7 +33,7 @@ impl Default for WriteRaster {
         Self {
             field: "elevation".into(),
             path: "elevation.tif".into(),
-            data_type: DataType::Float32,
+            data_type: None,
             compression: Compression::Deflate,
             tiled: true,
         }
@@ -44,6 +44,11 @@ impl Params for WriteRaster {
     const NAME: &'static str = "write_raster";
     const SOURCES: &'static [Source] = &[];
 
+    fn outputs(&self) -> Vec<String> {
+        let sidecar = raster_format(Path::new(&self.path)).is_ok_and(|f| f.needs_sidecar);
+        std::iter::once(self.path.clone()).chain(sidecar.then(|| sidecar_path(&self.path))).collect()
+    }
+
     fn check(&self) -> Result<()> {
         relative_path(&self.path)?;
         raster_format(Path::new(&self.path)).map(drop)
@@ -53,26 +58,39 @@ impl Params for WriteRaster {
 impl Export<HeightField> for WriteRaster {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
         let terrain = landscape.terrain;
-        let values = if self.field == names::ELEVATION.name {
-            terrain.elevation().to_vec()
-        } else {
-            terrain.fields.by_name(&self.field, "`write_raster`")?
+        let stored = terrain.named(&self.field, "`write_raster`")?;
+        let (samples, data_type) = match &*stored {
+            Values::U32(_) => (Samples::Counts, DataType::Uint32),
+            Values::U8(_) => (Samples::Classes, DataType::Uint8),
+            _ => (Samples::Real, DataType::Float32),
+        };
+        let data_type = self.data_type.unwrap_or(data_type);
+        let values = stored.to_f64();
+        let legend = match (terrain.layers(), samples) {
+            (Some(layers), Samples::Classes) if self.field == names::SURFACE_MATERIAL.name => {
+                let materials = layers.materials().all().iter().enumerate();
+                materials.map(|(k, m)| (k as u8, m.name.clone())).collect()
+            }
+            _ => Vec::new(),
         };
         let format = raster_format(Path::new(&self.path))?;
         let tile = self.tiled.then_some(512);
         let file = RasterFile {
-            grid: &terrain.grid,
+            grid: terrain.grid(),
             values: &values,
             field: &self.field,
             unit: names::unit_of(&self.field).unwrap_or("1"),
+            samples,
+            legend,
             seed: landscape.seed,
-            geotiff: GeotiffOptions { data_type: self.data_type, compression: self.compression, tile },
+            geotiff: GeotiffOptions { data_type, compression: self.compression, tile },
         };
-        if let Some(v) = values.iter().find(|v| !v.is_nan() && !(v.abs() <= f64::from(f32::MAX))) {
+        let most = if data_type == DataType::Float64 { f64::MAX } else { f64::from(f32::MAX) };
+        if let Some(v) = values.iter().find(|v| !v.is_nan() && !(v.abs() <= most)) {
             return Err(Error::parameter(
                 "field",
                 format!("`{}` with a value of {v:e}", self.field),
-                "values below 3.4e38",
+                "values below 3.4e38, or data_type = \"float64\" in a GeoTIFF",
             ));
         }
         if values.iter().all(|v| v.is_nan()) {
@@ -80,8 +98,7 @@ impl Export<HeightField> for WriteRaster {
         }
         out.put(&self.path, &(format.write)(&file)?)?;
         if let Some(sidecar) = format.sidecar(&file) {
-            let path = Path::new(&self.path).with_extension("landform.json");
-            out.put(&path.to_string_lossy(), &sidecar.text()?)?;
+            out.put(&sidecar_path(&self.path), &sidecar.text()?)?;
         }
         Ok(())
     }

@@ -1,13 +1,12 @@
 //! The report as a file.
 
 use landform_core::Result;
+use landform_core::terrain::Rasterize;
 use landform_core::units::Length;
-use landform_core::verb::{Export, Landscape, Output, Params, Source};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, check_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Drawable;
-use crate::measure::check_path;
 use crate::report::{Analysis, report};
 
 /// Writes a report: one HTML file with pictures, a report card of how natural the numbers are, plots, how the landscape came to be and the
@@ -17,7 +16,8 @@ use crate::report::{Analysis, report};
 pub struct WriteReport {
     /// Path below the output folder.
     pub path: String,
-    /// Level of the sea: ground at or under it is left out of all measures but the coast.
+    /// Sea level: ground at or under it is left out of all measures but the coast. As the environment has it, if not given; else nothing is
+    /// left out.
     pub sea_level: Option<Length>,
 }
 
@@ -31,15 +31,19 @@ impl Params for WriteReport {
     const NAME: &'static str = "write_report";
     const SOURCES: &'static [Source] = &[];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
         check_path(&self.path, &[".html", ".htm"])
     }
 }
 
-impl<T: Drawable> Export<T> for WriteReport {
+impl<T: Rasterize> Export<T> for WriteReport {
     fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
-        let raster = landscape.terrain.raster()?;
-        let analysis = Analysis::of(&raster, self.sea_level.map(Length::si))?;
+        let raster = landscape.terrain.rasterized()?;
+        let analysis = Analysis::of(&raster, landscape.environment.sea(self.sea_level))?;
         out.put(&self.path, report(landscape, &raster, &analysis)?.as_bytes())
     }
 }

@@ -40,7 +40,7 @@ pub fn mesh_file_of_water(field: &HeightField, least: f64) -> Result<MeshFile> {
     if surface.iter().all(|z| z.is_nan()) {
         return Err(Error::Empty { what: "the water".into() });
     }
-    let (points, triangles) = mesh_parts_from_height_field(&HeightField::new(field.grid.clone(), surface)?);
+    let (points, triangles) = mesh_parts_from_height_field(&HeightField::new(field.grid().clone(), surface)?);
     if triangles.is_empty() {
         return Err(Error::Empty { what: "the sheet of water: it is nowhere two nodes wide".into() });
     }

@@ -5,12 +5,14 @@ mod animation;
 mod ascii_grid;
 mod exr;
 mod geotiff;
+mod geotiff_options;
 mod glb;
 mod mesh;
 mod npy;
 mod obj;
 mod picture;
 mod ply;
+mod raster_file;
 mod raw16;
 mod sidecar;
 mod stl;
@@ -18,13 +20,14 @@ mod table;
 
 pub use animation::{animation_extension, encode_animation};
 pub(crate) use exr::write_rgb as write_exr_rgb;
-pub use geotiff::{Compression, DataType, GeotiffOptions};
+pub use geotiff_options::{Compression, DataType, GeotiffOptions};
 pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_of_water};
 pub use picture::{encode_png, read_grey};
+pub use raster_file::{RasterFile, Samples};
 pub(crate) use raw16::{STEPS, quantize};
 pub use sidecar::Sidecar;
 pub use table::{
-    MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFile, RasterFormat, load_raster, mesh_format, raster_format,
+    MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFormat, load_raster, mesh_format, raster_format, sidecar_path,
 };
 
 use landform_core::{Error, Result};

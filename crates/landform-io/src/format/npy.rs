@@ -1,11 +1,11 @@
-//! NumPy arrays: float32 on writing, any real or integer type on reading.
+//! NumPy arrays: float32, uint32 or uint8 on writing, by what the values are; any real or integer type on reading.
 
 use landform_core::grid::Shape;
 use landform_core::terrain::HeightField;
 use landform_core::{Error, Result};
 use npyz::{DType, NpyFile, Order, TypeChar, WriterBuilder};
 
-use super::{RasterFile, Sidecar, check_dimensions};
+use super::{RasterFile, Samples, Sidecar, check_dimensions};
 
 const NAME: &str = "NumPy array";
 
@@ -29,9 +29,16 @@ pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightFiel
         (TypeChar::Int, 2) => npy.into_vec::<i16>().map_err(fail)?.into_iter().map(f64::from).collect(),
         (TypeChar::Int, 4) => npy.into_vec::<i32>().map_err(fail)?.into_iter().map(f64::from).collect(),
         (TypeChar::Uint, 1) => npy.into_vec::<u8>().map_err(fail)?.into_iter().map(f64::from).collect(),
+        (TypeChar::Uint, 4) => npy.into_vec::<u32>().map_err(fail)?.into_iter().map(f64::from).collect(),
+        (TypeChar::Int, 1) => npy.into_vec::<i8>().map_err(fail)?.into_iter().map(f64::from).collect(),
+        (TypeChar::Int, 8) => whole(npy.into_vec::<i64>().map_err(fail)?.into_iter().map(i128::from))?,
+        (TypeChar::Uint, 8) => whole(npy.into_vec::<u64>().map_err(fail)?.into_iter().map(i128::from))?,
         (TypeChar::Uint, 2) => npy.into_vec::<u16>().map_err(fail)?.into_iter().map(f64::from).collect(),
         _ => {
-            return Err(Error::format(NAME, format!("its type {kind} is not read; expected f4, f8, i2, i4, u1 or u2")));
+            return Err(Error::format(
+                NAME,
+                format!("its type {kind} is not read; expected f4, f8, i1 to i8 or u1 to u8"),
+            ));
         }
     };
     let shape = Shape::new(rows as usize, cols as usize);
@@ -46,13 +53,31 @@ pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightFiel
     HeightField::new(Sidecar::grid(sidecar, shape)?, Sidecar::values(sidecar, values.into_iter()))
 }
 
+/// 64-bit whole numbers, refused where a real number of double precision cannot hold them.
+fn whole(values: impl Iterator<Item = i128>) -> Result<Vec<f64>> {
+    let fail = |v: i128| Error::format(NAME, format!("{v} is too large to be read exactly"));
+    values.map(|v| if (v as f64) as i128 == v { Ok(v as f64) } else { Err(fail(v)) }).collect()
+}
+
 pub(super) fn write(file: &RasterFile) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let shape = [file.grid.shape.rows as u64, file.grid.shape.cols as u64];
     let fail = |e: std::io::Error| Error::format(NAME, e);
-    let mut writer =
-        npyz::WriteOptions::new().default_dtype().shape(&shape).writer(&mut bytes).begin_nd().map_err(fail)?;
-    writer.extend(file.values.iter().map(|&v| v as f32)).map_err(fail)?;
-    writer.finish().map_err(fail)?;
+    fn put<T: npyz::AutoSerialize>(
+        bytes: &mut Vec<u8>,
+        shape: &[u64],
+        values: impl Iterator<Item = T>,
+    ) -> std::io::Result<()> {
+        let mut writer = npyz::WriteOptions::new().default_dtype().shape(shape).writer(bytes).begin_nd()?;
+        writer.extend(values)?;
+        writer.finish()
+    }
+    let values = || file.values.iter().copied();
+    match file.samples {
+        Samples::Real => put(&mut bytes, &shape, values().map(|v| v as f32)),
+        Samples::Counts => put(&mut bytes, &shape, values().map(|v| v as u32)),
+        Samples::Classes => put(&mut bytes, &shape, values().map(|v| v as u8)),
+    }
+    .map_err(fail)?;
     Ok(bytes)
 }

@@ -9,7 +9,7 @@ use landform_core::verb::Image;
 use landform_core::{Error, Result};
 
 use super::raw16::quantize;
-use super::{RasterFile, Sidecar, check_dimensions};
+use super::{RasterFile, Samples, Sidecar, check_dimensions};
 
 fn name(format: ImageFormat) -> &'static str {
     if format == ImageFormat::Png { "PNG" } else { "PNM" }
@@ -64,13 +64,24 @@ pub(super) fn read_pnm(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<Height
     read(bytes, sidecar, ImageFormat::Pnm)
 }
 
-pub(super) fn write_png16(file: &RasterFile) -> Result<Vec<u8>> {
+/// Classes as bytes.
+fn classes(file: &RasterFile) -> Option<Vec<u8>> {
+    (file.samples == Samples::Classes).then(|| file.values.iter().map(|&v| v as u8).collect())
+}
+
+pub(super) fn write_png(file: &RasterFile) -> Result<Vec<u8>> {
+    if let Some(bytes) = classes(file) {
+        return encode(&bytes, file.grid.shape, ColorType::L8);
+    }
     let samples: Vec<u8> = quantize(file).into_iter().flat_map(u16::to_ne_bytes).collect();
     encode(&samples, file.grid.shape, ColorType::L16)
 }
 
-pub(super) fn write_pgm16(file: &RasterFile) -> Result<Vec<u8>> {
+pub(super) fn write_pgm(file: &RasterFile) -> Result<Vec<u8>> {
     let shape = file.grid.shape;
+    if let Some(classes) = classes(file) {
+        return Ok([format!("P5\n{} {}\n255\n", shape.cols, shape.rows).as_bytes(), &classes].concat());
+    }
     let mut bytes = format!("P5\n{} {}\n65535\n", shape.cols, shape.rows).into_bytes();
     bytes.extend(quantize(file).into_iter().flat_map(u16::to_be_bytes));
     Ok(bytes)

@@ -1,5 +1,7 @@
 //! The JSON file beside a raster that says what its numbers mean.
 
+use std::collections::BTreeMap;
+
 use landform_core::grid::{Georeference, Grid, Registration, Shape};
 use landform_core::{Error, Result};
 use serde::{Deserialize, Serialize};
@@ -52,6 +54,9 @@ pub struct Sidecar {
     pub registration: Option<String>,
     /// Seed of the recipe.
     pub seed: Option<u64>,
+    /// Names of classes by their number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub legend: Option<BTreeMap<String, String>>,
 }
 
 impl Sidecar {
@@ -103,6 +108,8 @@ impl Sidecar {
             byte_order: Some("little".into()),
             registration: Some("point".into()),
             seed: Some(file.seed),
+            legend: (!file.legend.is_empty())
+                .then(|| file.legend.iter().map(|(k, name)| (k.to_string(), name.clone())).collect()),
         }
     }
 

@@ -3,38 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use landform_core::error::nearest;
-use landform_core::grid::Grid;
 use landform_core::terrain::HeightField;
 use landform_core::{Error, Result};
 
-use super::{GeotiffOptions, MeshFile, Sidecar, ascii_grid, exr, geotiff, glb, npy, obj, picture, ply, raw16, stl};
+use super::{
+    MeshFile, RasterFile, Samples, Sidecar, ascii_grid, exr, geotiff, glb, npy, obj, picture, ply, raw16, stl,
+};
 use crate::files::read_whole;
-
-/// A raster to be written.
-#[derive(Clone, Debug)]
-pub struct RasterFile<'a> {
-    /// The grid.
-    pub grid: &'a Grid,
-    /// Values, row-major from the north-west; NaN is nodata.
-    pub values: &'a [f64],
-    /// Name of the field.
-    pub field: &'a str,
-    /// Its unit.
-    pub unit: &'a str,
-    /// Seed of the recipe, for the sidecar.
-    pub seed: u64,
-    /// What GeoTIFF lets one choose.
-    pub geotiff: GeotiffOptions,
-}
-
-impl RasterFile<'_> {
-    /// Least and greatest value; (0, 0) without data.
-    pub fn range(&self) -> (f64, f64) {
-        let finite = self.values.iter().copied().filter(|v| v.is_finite());
-        let range = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
-        if range.0 <= range.1 { range } else { (0.0, 0.0) }
-    }
-}
 
 /// A format of rasters.
 #[derive(Debug)]
@@ -49,13 +24,15 @@ pub struct RasterFormat {
     pub write: fn(&RasterFile) -> Result<Vec<u8>>,
     /// Whether the numbers need a sidecar to be understood.
     pub needs_sidecar: bool,
+    /// Whether real numbers are stored as 16-bit steps over their range.
+    pub is_stepped: bool,
 }
 
 impl RasterFormat {
     /// The sidecar of a file, where the format needs one.
     pub fn sidecar(&self, file: &RasterFile) -> Option<Sidecar> {
-        let steps = ["PNG", "PNM", "RAW16"].contains(&self.name).then_some(raw16::STEPS);
-        self.needs_sidecar.then(|| Sidecar::describe(file, steps))
+        let stored = self.is_stepped && file.samples != Samples::Classes;
+        self.needs_sidecar.then(|| Sidecar::describe(file, stored.then_some(raw16::STEPS)))
     }
 }
 
@@ -67,6 +44,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         read: geotiff::read,
         write: geotiff::write,
         needs_sidecar: false,
+        is_stepped: false,
     },
     RasterFormat {
         extensions: &["asc"],
@@ -74,22 +52,39 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         read: ascii_grid::read,
         write: ascii_grid::write,
         needs_sidecar: false,
+        is_stepped: false,
     },
-    RasterFormat { extensions: &["exr"], name: "OpenEXR", read: exr::read, write: exr::write, needs_sidecar: true },
-    RasterFormat { extensions: &["npy"], name: "NumPy array", read: npy::read, write: npy::write, needs_sidecar: true },
+    RasterFormat {
+        extensions: &["exr"],
+        name: "OpenEXR",
+        read: exr::read,
+        write: exr::write,
+        needs_sidecar: true,
+        is_stepped: false,
+    },
+    RasterFormat {
+        extensions: &["npy"],
+        name: "NumPy array",
+        read: npy::read,
+        write: npy::write,
+        needs_sidecar: true,
+        is_stepped: false,
+    },
     RasterFormat {
         extensions: &["png"],
         name: "PNG",
         read: picture::read_png,
-        write: picture::write_png16,
+        write: picture::write_png,
         needs_sidecar: true,
+        is_stepped: true,
     },
     RasterFormat {
         extensions: &["pgm", "ppm", "pnm"],
         name: "PNM",
         read: picture::read_pnm,
-        write: picture::write_pgm16,
+        write: picture::write_pgm,
         needs_sidecar: true,
+        is_stepped: true,
     },
     RasterFormat {
         extensions: &["r16", "raw"],
@@ -97,6 +92,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         read: raw16::read,
         write: raw16::write,
         needs_sidecar: true,
+        is_stepped: true,
     },
 ];
 
@@ -153,6 +149,11 @@ pub fn mesh_format(path: &Path) -> Result<&'static MeshFormat> {
     })
 }
 
+/// Where the sidecar of a file is written: beside it, by its full name.
+pub fn sidecar_path(path: &str) -> String {
+    format!("{path}.landform.json")
+}
+
 /// Reads a raster from disk, with its sidecar if there is one (`name.ext.landform.json`, `name.landform.json` or
 /// `name.json` beside it).
 ///
@@ -170,7 +171,7 @@ pub fn load_raster(path: &Path) -> Result<HeightField> {
 
 fn sidecar_paths(path: &Path) -> [PathBuf; 3] {
     [
-        PathBuf::from(format!("{}.landform.json", path.display())),
+        PathBuf::from(sidecar_path(&path.display().to_string())),
         path.with_extension("landform.json"),
         path.with_extension("json"),
     ]

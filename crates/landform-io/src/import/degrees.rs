@@ -15,7 +15,7 @@ const MOST_ERROR: f64 = 0.05;
 
 /// Whether coordinates are degrees: said so, or no system is named and they could hardly be metres.
 pub fn in_degrees(field: &HeightField) -> bool {
-    let grid = &field.grid;
+    let grid = field.grid();
     let [x, y] = grid.origin;
     let tiny = grid.spacing[0] < 0.1 && x.abs() <= 360.0 && y.abs() <= 90.0 && [x, y] != [0.0, grid.extent()[1]];
     // A whole globe, or a hemisphere, in cells of up to two degrees.
@@ -39,7 +39,7 @@ fn metres_per_degree(latitude: f64) -> [f64; 2] {
 /// # Errors
 /// [`Error::Parameter`] where the error is more than 5 %, or latitudes are beyond 90 degrees.
 pub fn metres_from_degrees(field: &mut HeightField) -> Result<f64> {
-    let grid = &mut field.grid;
+    let mut grid = field.grid().clone();
     let (north, south) = (grid.origin[1], grid.origin[1] - grid.extent()[1]);
     if !(north <= 90.0 + 1e-6 && south >= -90.0 - 1e-6) {
         let value = format!("latitudes from {south:.3} to {north:.3}");
@@ -62,6 +62,7 @@ pub fn metres_from_degrees(field: &mut HeightField) -> Result<f64> {
     grid.spacing = [grid.spacing[0] * east, grid.spacing[1] * up];
     grid.origin = [0.0, grid.extent()[1]];
     grid.georeference = Default::default();
+    field.set_grid(grid)?;
     Ok(error)
 }
 
@@ -83,7 +84,8 @@ mod tests {
         assert!(in_degrees(&small));
         assert!(metres_from_degrees(&mut small).unwrap() < 0.001);
         assert!(
-            (small.grid.spacing[0] / 788.0 - 1.0).abs() < 0.002 && (small.grid.spacing[1] / 1111.4 - 1.0).abs() < 0.001
+            (small.grid().spacing[0] / 788.0 - 1.0).abs() < 0.002
+                && (small.grid().spacing[1] / 1111.4 - 1.0).abs() < 0.001
         );
         assert!(!in_degrees(&small));
         let text = metres_from_degrees(&mut field(49.0, 61.0)).unwrap_err().to_string();

@@ -77,7 +77,7 @@ impl Generator<HeightField> for ElevationFile {
     fn generate(&self, context: &Context) -> Result<HeightField> {
         let mut field = self.read(context)?;
         if let Some(cell_size) = self.cell_size {
-            field = resample(&field, &field.grid.with_cell_size(cell_size.si())?, self.interpolation)?;
+            field = resample(&field, &field.grid().with_cell_size(cell_size.si())?, self.interpolation)?;
         }
         self.outlets.apply(&mut field, 0.0, context)?;
         Ok(field)
@@ -85,11 +85,11 @@ impl Generator<HeightField> for ElevationFile {
 
     fn estimate(&self, context: &Context) -> Result<Estimate> {
         let field = self.read(context)?;
-        let source = field.grid.len() as u64;
+        let source = field.grid().len() as u64;
         let nodes = match self.cell_size {
-            Some(cell_size) => field.grid.with_cell_size(cell_size.si())?.len() as u64,
+            Some(cell_size) => field.grid().with_cell_size(cell_size.si())?.len() as u64,
             None => source,
         };
-        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent: field.grid.extent() })
+        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent: field.grid().extent() })
     }
 }

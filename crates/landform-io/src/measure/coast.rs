@@ -2,14 +2,11 @@
 
 use landform_core::Result;
 use landform_core::analysis::{Coast, coast};
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{NodeSurface, Rasterize};
 use landform_core::units::Length;
-use landform_core::verb::{Measure, Params, Source};
+use landform_core::verb::{Landscape, Measure, Params, Source, check_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use super::check_path;
-use crate::export::Drawable;
 
 /// Measures the coast at a level: its length, islands, and how crooked it is by divider and boxes.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -35,6 +32,10 @@ impl Params for MeasureCoast {
         doi: "10.1126/science.156.3775.636",
     }];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
         check_path(&self.path, &[".json"])
     }
@@ -43,15 +44,16 @@ impl Params for MeasureCoast {
 /// The coast's numbers.
 pub type CoastMeasured = Coast;
 
-impl<T: Drawable> Measure<T> for MeasureCoast {
+impl<T: Rasterize> Measure<T> for MeasureCoast {
     type Out = CoastMeasured;
 
     fn path(&self) -> &str {
         &self.path
     }
 
-    fn measure(&self, terrain: &T) -> Result<Coast> {
-        let raster = terrain.raster()?;
-        Ok(coast(&raster.grid, raster.elevation(), self.level.si()).0)
+    fn measure(&self, landscape: &Landscape<'_, T>) -> Result<Coast> {
+        let terrain = landscape.terrain;
+        let raster = terrain.rasterized()?;
+        Ok(coast(raster.grid(), raster.elevation(), self.level.si()).0)
     }
 }

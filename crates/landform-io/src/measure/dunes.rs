@@ -5,11 +5,9 @@ use landform_core::analysis::{Dunes, dunes, shadow_error};
 use landform_core::field::names;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::Angle;
-use landform_core::verb::{Measure, Params, Rose, Source, Wind};
+use landform_core::verb::{Landscape, Measure, Params, Rose, Source, Wind, check_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use super::check_path;
 
 /// Measures dunes: height, spacing, direction of crests, bare ground, share near repose, and what the dunes are called.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -17,7 +15,7 @@ use super::check_path;
 pub struct MeasureDunes {
     /// Path below the output folder.
     pub path: String,
-    /// The winds that made them.
+    /// The winds that made them. As the environment has them, if none are given; else a west wind.
     pub wind: Vec<Wind>,
     /// Angle of repose of the sand.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
@@ -28,7 +26,7 @@ pub struct MeasureDunes {
 
 impl Default for MeasureDunes {
     fn default() -> Self {
-        Self { path: "dunes.json".into(), wind: vec![Wind::from(270.0, 1.0)], repose: Angle::of(33.0), periodic: true }
+        Self { path: "dunes.json".into(), wind: Vec::new(), repose: Angle::of(33.0), periodic: true }
     }
 }
 
@@ -40,8 +38,14 @@ impl Params for MeasureDunes {
         doi: "10.1038/304337a0",
     }];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
-        Rose::new("wind", &self.wind)?;
+        if !self.wind.is_empty() {
+            Rose::new("wind", &self.wind)?;
+        }
         check_path(&self.path, &[".json"])
     }
 }
@@ -53,10 +57,11 @@ impl Measure<HeightField> for MeasureDunes {
         &self.path
     }
 
-    fn measure(&self, terrain: &HeightField) -> Result<Dunes> {
-        let sand = terrain.fields().get(&names::SAND_DEPTH, Self::NAME)?;
-        let rose = Rose::new("wind", &self.wind)?;
-        let (grid, z) = (&terrain.grid, terrain.elevation());
+    fn measure(&self, landscape: &Landscape<'_, HeightField>) -> Result<Dunes> {
+        let terrain = landscape.terrain;
+        let sand = &terrain.real("sand_depth", Self::NAME)?;
+        let rose = landscape.environment.rose(&self.wind)?;
+        let (grid, z) = (terrain.grid(), terrain.elevation());
         let mut found = dunes(grid, z, sand, &rose, self.repose.si(), self.periodic);
         if let (Ok(shelter), Some(spacing)) = (terrain.fields().get(&names::SHELTER, Self::NAME), found.spacing) {
             found.shadow = Some(shadow_error(grid, z, shelter, &rose, spacing, self.periodic));

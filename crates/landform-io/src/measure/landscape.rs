@@ -1,13 +1,12 @@
 //! Everything, with the report card.
 
 use landform_core::Result;
+use landform_core::terrain::Rasterize;
 use landform_core::units::Length;
-use landform_core::verb::{Measure, Params, Source};
+use landform_core::verb::{Landscape, Measure, Params, Source, check_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::check_path;
-use crate::export::Drawable;
 use crate::report::Analysis;
 
 /// Measures everything that the report tells, and writes it as JSON: report card, elevations, surface, drainage, spectrum, coast.
@@ -16,7 +15,7 @@ use crate::report::Analysis;
 pub struct MeasureLandscape {
     /// Path below the output folder.
     pub path: String,
-    /// Level of the sea: ground at or under it is left out of all but the coast.
+    /// Sea level: ground at or under it is left out of all but the coast. As the environment has it, if not given; else nothing is left out.
     pub sea_level: Option<Length>,
 }
 
@@ -30,19 +29,24 @@ impl Params for MeasureLandscape {
     const NAME: &'static str = "measure_landscape";
     const SOURCES: &'static [Source] = &[];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
         check_path(&self.path, &[".json"])
     }
 }
 
-impl<T: Drawable> Measure<T> for MeasureLandscape {
+impl<T: Rasterize> Measure<T> for MeasureLandscape {
     type Out = Analysis;
 
     fn path(&self) -> &str {
         &self.path
     }
 
-    fn measure(&self, terrain: &T) -> Result<Analysis> {
-        Analysis::of(&*terrain.raster()?, self.sea_level.map(Length::si))
+    fn measure(&self, landscape: &Landscape<'_, T>) -> Result<Analysis> {
+        let terrain = landscape.terrain;
+        Analysis::of(&*terrain.rasterized()?, landscape.environment.sea(self.sea_level))
     }
 }

@@ -15,14 +15,15 @@ pub use simple::{
 };
 pub use summary::{MeasureSummary, Measured};
 
-use landform_core::verb::relative_path;
-use landform_core::{Error, Result};
+use landform_core::terrain::{HeightField, Mesh};
 
-/// Refuses a path that leaves the output folder or does not end as one of `ends`.
-pub(crate) fn check_path(path: &str, ends: &[&str]) -> Result<()> {
-    relative_path(path)?;
-    if ends.iter().any(|e| path.to_lowercase().ends_with(e)) {
-        return Ok(());
-    }
-    Err(Error::parameter("path", format!("\"{path}\""), &format!("a name that ends with {}", ends.join(" or "))))
+landform_core::stages! {
+    measure MeasureSummary where HeightField, Mesh;
+    measure MeasureCoast where HeightField, Mesh;
+    measure MeasureDrainage where HeightField, Mesh;
+    measure MeasureDunes where HeightField;
+    measure MeasureHypsometry where HeightField, Mesh;
+    measure MeasureLandscape where HeightField, Mesh;
+    measure MeasureSpectrum where HeightField, Mesh;
+    measure MeasureSurface where HeightField, Mesh;
 }

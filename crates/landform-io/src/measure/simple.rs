@@ -6,13 +6,10 @@ use landform_core::analysis::{
     Drainage, Form, Hypsometry, Network, Spectrum, Surface, Transects, Variogram, form_of, hypsometry, network,
     spectrum, surface, transects, variogram,
 };
-use landform_core::terrain::NodeSurface;
-use landform_core::verb::{Measure, Params, Source};
+use landform_core::terrain::{NodeSurface, Rasterize};
+use landform_core::verb::{Landscape, Measure, Params, Source, check_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use super::check_path;
-use crate::export::Drawable;
 
 const STRAHLER: Source = Source {
     authors: "Strahler (1952)",
@@ -71,20 +68,24 @@ macro_rules! measure {
             const NAME: &'static str = $stage;
             const SOURCES: &'static [Source] = &[$($source),*];
 
+            fn outputs(&self) -> Vec<String> {
+                vec![self.path.clone()]
+            }
+
             fn check(&self) -> Result<()> {
                 check_path(&self.path, &[".json"])
             }
         }
 
-        impl<T: Drawable> Measure<T> for $name {
+        impl<T: Rasterize> Measure<T> for $name {
             type Out = $out;
 
             fn path(&self) -> &str {
                 &self.path
             }
 
-            fn measure(&self, terrain: &T) -> Result<$out> {
-                let $raster = terrain.raster()?;
+            fn measure(&self, landscape: &Landscape<'_, T>) -> Result<$out> {
+                let $raster = landscape.terrain.rasterized()?;
                 Ok($body)
             }
         }
@@ -110,7 +111,7 @@ pub struct SpectrumMeasured {
 measure!(
     /// Measures how much relief there is at every wavelength: spectral density, its exponents, the spacing that stands out, the variogram.
     MeasureSpectrum, "measure_spectrum", "spectrum.json", [SAUPE, PERRON], SpectrumMeasured, |raster| {
-        let (grid, z) = (&raster.grid, raster.elevation());
+        let (grid, z) = (raster.grid(), raster.elevation());
         let spectrum = spectrum(grid, z);
         SpectrumMeasured {
             transects: spectrum.as_ref().and_then(|s| transects(grid, z, s.window)),
@@ -145,9 +146,9 @@ pub struct SurfaceMeasured {
 measure!(
     /// Measures the surface: slopes, directions, curvature, relief, pits, peaks and sinks, bending energy.
     MeasureSurface, "measure_surface", "surface.json", [HORN, EVANS], SurfaceMeasured, |raster| SurfaceMeasured {
-        surface: surface(&raster.grid, raster.elevation()),
-        form: form_of(&raster.grid, &raster.domain(), raster.elevation()),
-        bending_energy: (raster.grid.spacing[0] == raster.grid.spacing[1])
-            .then(|| bending_energy(raster.grid.shape, raster.elevation()) / raster.grid.cell_area()),
+        surface: surface(raster.grid(), raster.elevation()),
+        form: form_of(raster.grid(), &raster.domain(), raster.elevation()),
+        bending_energy: (raster.grid().spacing[0] == raster.grid().spacing[1])
+            .then(|| bending_energy(raster.grid().shape, raster.elevation()) / raster.grid().cell_area()),
     }
 );

@@ -2,12 +2,10 @@
 
 use landform_core::Result;
 use landform_core::analysis::{Hypsometry, SlopeArea, Summary, hypsometry, slope_area, summary};
-use landform_core::terrain::NodeSurface;
-use landform_core::verb::{Measure, Params, Source, relative_path};
+use landform_core::terrain::{NodeSurface, Rasterize};
+use landform_core::verb::{Landscape, Measure, Params, Source, relative_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use crate::export::Drawable;
 
 /// Measures elevations, slopes, hypsometry and the slope-area relation, and writes them as JSON.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -38,6 +36,10 @@ impl Params for MeasureSummary {
         },
     ];
 
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone()]
+    }
+
     fn check(&self) -> Result<()> {
         relative_path(&self.path).map(drop)
     }
@@ -54,18 +56,19 @@ pub struct Measured {
     pub slope_area: SlopeArea,
 }
 
-impl<T: Drawable> Measure<T> for MeasureSummary {
+impl<T: Rasterize> Measure<T> for MeasureSummary {
     type Out = Measured;
 
     fn path(&self) -> &str {
         &self.path
     }
 
-    fn measure(&self, terrain: &T) -> Result<Measured> {
+    fn measure(&self, landscape: &Landscape<'_, T>) -> Result<Measured> {
+        let terrain = landscape.terrain;
         let summary = summary(terrain);
         let least = 4.0 * summary.area / summary.nodes.max(1) as f64;
         Ok(Measured {
-            hypsometry: hypsometry(terrain.raster()?.elevation()),
+            hypsometry: hypsometry(terrain.rasterized()?.elevation()),
             slope_area: slope_area(terrain, least),
             summary,
         })

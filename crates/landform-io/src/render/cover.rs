@@ -1,29 +1,63 @@
-//! What lies on the ground: sand and snow.
+//! What the ground shows: sand, snow, and beds of rock.
 
-use landform_core::field::{Key, names};
-use landform_core::math;
 use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::{math, parallel};
 
 use super::colour::{Rgb, hex, mix};
 
-/// Sand and snow of a raster, as pictures show them.
+/// Sand, snow and bedded rock of a raster, as pictures show them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cover {
     sand: Vec<f64>,
     snow: Vec<f64>,
+    /// Colour of the rock and how much of it shows through what lies on it, where rock is bedded.
+    rock: Vec<(u32, f64)>,
     cell: f64,
 }
 
 const SAND: u32 = 0xd9b482;
 const GRAVEL: u32 = 0x9c8567;
 const SNOW: u32 = 0xe9edf3;
+/// Depth of soil that hides rock, m.
+const HIDES: f64 = 0.6;
+
+/// The colour of a rock; others are as `rock`.
+fn rock_colour(name: &str) -> u32 {
+    const ROCKS: &[(&str, u32)] = &[
+        ("sandstone", 0xc48a5a),
+        ("shale", 0x8b8a80),
+        ("limestone", 0xd6cfba),
+        ("granite", 0xb3a9a2),
+        ("basalt", 0x56545a),
+        ("clay", 0xa5745a),
+        ("coral", 0xdcd2c2),
+    ];
+    ROCKS.iter().find(|r| r.0 == name).map_or(0x9b8f82, |r| r.1)
+}
+
+/// What bedded rock shows on every node.
+fn bare_rock(field: &HeightField) -> Vec<(u32, f64)> {
+    let Some(layers) = field.layers().filter(|l| l.has_beds()) else { return Vec::new() };
+    let loose: Vec<&str> = layers.loose().collect();
+    let z = field.elevation();
+    parallel::map(z.len(), |i| {
+        let mut top = z[i];
+        for stratum in layers.column(i, z[i]) {
+            if !loose.contains(&stratum.material.name.as_str()) {
+                return (rock_colour(&stratum.material.name), 1.0 - math::smoothstep(0.0, HIDES, z[i] - top));
+            }
+            top = stratum.bottom;
+        }
+        (rock_colour(""), 0.0)
+    })
+}
 
 impl Cover {
     /// What lies on a raster.
     pub(super) fn of(field: &HeightField) -> Self {
-        let depth = |key: &Key<f64>| field.fields().get(key, "").map(<[f64]>::to_vec).unwrap_or_default();
-        let [dx, dy] = field.grid.spacing;
-        Self { sand: depth(&names::SAND_DEPTH), snow: depth(&names::SNOW_DEPTH), cell: dx.min(dy) }
+        let depth = |material: &str| field.depth(material).map(<[f64]>::to_vec).unwrap_or_default();
+        let [dx, dy] = field.grid().spacing;
+        Self { sand: depth("sand"), snow: depth("snow"), rock: bare_rock(field), cell: dx.min(dy) }
     }
 
     /// Whether the ground is a desert, where no water stands or runs.
@@ -44,6 +78,9 @@ impl Cover {
     /// The colour of a node under what lies on it. `strength` of the desert's colours against the ground's own.
     pub(super) fn tint(&self, colour: Rgb, i: usize, strength: f64) -> Rgb {
         let mut colour = colour;
+        if let Some(&(rock, bare)) = self.rock.get(i) {
+            colour = mix(colour, hex(rock), 0.25 + 0.6 * bare * strength);
+        }
         if !self.sand.is_empty() {
             colour = mix(mix(colour, hex(GRAVEL), 0.85 * strength), mix(colour, hex(SAND), strength), self.sand(i));
         }

@@ -43,7 +43,7 @@ const GAINED: u32 = 0xb23a2c;
 /// # Errors
 /// As [`HeightField::new`].
 pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
-    let (grid, z) = (&field.grid, field.elevation());
+    let (grid, z) = (field.grid(), field.elevation());
     let (lo, hi) = range(z);
     let has_sea = lo < 0.0 && hi > 0.0;
     let shade = relief(grid, z, hi - lo);
@@ -87,7 +87,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
 /// As [`HeightField::new`].
 pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Result<Picture> {
     let (lo, hi) = range(field.elevation());
-    let shade = relief(&field.grid, field.elevation(), hi - lo);
+    let shade = relief(field.grid(), field.elevation(), hi - lo);
     let scaled: Vec<f64> =
         values.iter().map(|&v| if style.logarithmic { math::log10(v.max(f64::MIN_POSITIVE)) } else { v }).collect();
     let (a, b) = range(&scaled);
@@ -97,7 +97,7 @@ pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Resul
         }
         scale(style.ramp.at((scaled[i] - a) / (b - a).max(1e-300)), 0.75 + 0.25 * shade[i])
     });
-    Ok(paint(field.grid.shape, &colours, style.size))
+    Ok(paint(field.grid().shape, &colours, style.size))
 }
 
 /// Heights gained (red) and lost (blue) over grey relief; colours are as strong as the amount against its 99th percentile.
@@ -106,7 +106,7 @@ pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Resul
 /// As [`HeightField::new`].
 pub fn difference_map(field: &HeightField, difference: &[f64], size: usize) -> Result<Picture> {
     let (lo, hi) = range(field.elevation());
-    let shade = relief(&field.grid, field.elevation(), hi - lo);
+    let shade = relief(field.grid(), field.elevation(), hi - lo);
     let mut amounts: Vec<f64> = difference.iter().filter(|d| d.abs() > 0.0).map(|d| d.abs()).collect();
     parallel::sort_by(&mut amounts, f64::total_cmp);
     let strong = amounts.get(amounts.len() * 99 / 100).copied().unwrap_or(1.0);
@@ -118,7 +118,7 @@ pub fn difference_map(field: &HeightField, difference: &[f64], size: usize) -> R
         let colour = mix(hex(UNCHANGED), hex(if difference[i] < 0.0 { LOST } else { GAINED }), t);
         scale(colour, 0.45 + 0.55 * shade[i])
     });
-    Ok(paint(field.grid.shape, &colours, size))
+    Ok(paint(field.grid().shape, &colours, size))
 }
 
 /// Values as a picture of their own shape, one pixel each, from the least to the greatest.

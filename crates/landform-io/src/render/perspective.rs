@@ -182,7 +182,7 @@ struct Scene {
 
 impl Scene {
     fn new(field: &HeightField, view: &View) -> Self {
-        let grid = &field.grid;
+        let grid = field.grid();
         let extent = grid.extent().map(|e| e.max(1e-6));
         let finite = field.elevation().iter().filter(|z| z.is_finite());
         let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));

@@ -42,12 +42,12 @@ pub fn compare_reports(
 ) -> Result<ComparisonReport> {
     let (comparison, difference) = compare(a, b)?;
     let measured = [Analysis::of(a, sea_level)?, Analysis::of(b, sea_level)?];
-    let shown = HeightField::new(b.grid.clone(), b.elevation().to_vec())?;
+    let shown = HeightField::new(b.grid().clone(), b.elevation().to_vec())?;
     let map = {
         let mut carrier = shown;
-        carrier.fields.insert_values("difference", landform_core::field::Values::F64(difference));
+        carrier.fields.insert_values("difference", landform_core::field::Values::F64(difference))?;
         let small = shrunk(&carrier)?;
-        let values = small.fields.by_name("difference", "the comparison")?;
+        let values = small.real("difference", "the comparison")?;
         difference_map(&small, &values, 1100)?
     };
     let pair = |field: &HeightField, name: &str| -> Result<String> {

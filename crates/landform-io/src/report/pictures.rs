@@ -25,13 +25,13 @@ pub(super) fn shrunk(raster: &HeightField) -> Result<Cow<'_, HeightField>> {
 }
 
 fn shrunk_to(raster: &HeightField, most: usize) -> Result<Cow<'_, HeightField>> {
-    let shape = raster.grid.shape;
+    let shape = raster.grid().shape;
     let longer = shape.rows.max(shape.cols);
     if longer <= most {
         return Ok(Cow::Borrowed(raster));
     }
     let part = |n: usize| (n * most / longer).max(2);
-    let grid = raster.grid.with_shape(part(shape.rows), part(shape.cols))?;
+    let grid = raster.grid().with_shape(part(shape.rows), part(shape.cols))?;
     resample(raster, &grid, Interpolation::Linear).map(Cow::Owned)
 }
 
@@ -77,7 +77,7 @@ pub(crate) fn spectrum_picture(density: &Density) -> Picture {
 
 /// Maps of what follows from the ground: name, caption, values, style.
 fn fields(raster: &HeightField) -> Vec<(&'static str, &'static str, Vec<f64>, MapStyle)> {
-    let (grid, z) = (&raster.grid, raster.elevation());
+    let (grid, z) = (raster.grid(), raster.elevation());
     let style = MapStyle { size: SMALL, ramp: Ramp::Dusk, ..MapStyle::default() };
     let degrees = slope(grid, z);
     let degrees = parallel::map(degrees.len(), |i| math::atan(degrees[i]).to_degrees());
@@ -116,14 +116,12 @@ pub(super) fn field_figures(raster: &HeightField) -> Result<String> {
     // Shading costs more than anything else: it is done on as many nodes as are shown.
     let mut carrier = raster.clone();
     for (name, _, values, _) in &list {
-        carrier.fields.insert_values(name, Values::F64(values.clone()));
+        carrier.fields.insert_values(name, Values::F64(values.clone()))?;
     }
     let shown = shrunk_to(&carrier, SMALL * 5 / 4)?;
     let figures = list
         .iter()
-        .map(|(name, caption, _, style)| {
-            figure(&field_map(&shown, &shown.fields.by_name(name, "the report")?, style)?, caption)
-        })
+        .map(|(name, caption, _, style)| figure(&field_map(&shown, &shown.real(name, "the report")?, style)?, caption))
         .collect::<Result<Vec<_>>>()?;
     Ok(format!("<div class=\"plots\">{}</div>", figures.concat()))
 }

@@ -10,3 +10,10 @@ mod threshold;
 
 pub use optimal::OptimalNetwork;
 pub use threshold::{Hollows, ThresholdErosion};
+
+use landform_core::terrain::HeightField;
+
+landform_core::stages! {
+    edit OptimalNetwork where HeightField;
+    process ThresholdErosion where HeightField;
+}

@@ -16,7 +16,7 @@ use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
 use landform_core::grid::{Domain, INTERIOR, Link, MASKED, RasterDomain};
 use landform_core::random::{Seed, Stream};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Edit, Outlets, Params, Source};
 use landform_core::{Error, Result, math, parallel};
@@ -33,7 +33,7 @@ pub struct OptimalNetwork {
     pub energy_exponent: f64,
     /// Tries per node.
     #[schemars(extend("x-min" = 0, "x-max" = 10_000))]
-    pub sweeps: u64,
+    pub iterations: u64,
     /// Temperature at the start, in mean energies of a node; 0 takes no step up.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e6))]
     pub temperature: f64,
@@ -46,12 +46,13 @@ pub struct OptimalNetwork {
 
 impl Default for OptimalNetwork {
     fn default() -> Self {
-        Self { energy_exponent: 0.5, sweeps: 60, temperature: 0.0, relief: Length::of(500.0), outlets: None }
+        Self { energy_exponent: 0.5, iterations: 60, temperature: 0.0, relief: Length::of(500.0), outlets: None }
     }
 }
 
 impl Params for OptimalNetwork {
     const NAME: &'static str = "optimal_network";
+    const RENAMED: &'static [(&'static str, &'static str)] = &[("sweeps", "iterations")];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Rodriguez-Iturbe et al. (1992)",
@@ -77,7 +78,7 @@ impl Edit<HeightField> for OptimalNetwork {
         }
         let domain = terrain.domain();
         let mut tree = Tree::of(&domain, terrain.elevation(), self.energy_exponent);
-        tree.search(&domain, self.sweeps, self.temperature, context.seed);
+        tree.search(&domain, self.iterations, self.temperature, context.seed);
         let (heights, order) = tree.heights(self.energy_exponent);
         let greatest = heights.iter().copied().fold(0.0, f64::max);
         if greatest == 0.0 {
@@ -85,19 +86,19 @@ impl Edit<HeightField> for OptimalNetwork {
         }
         // Outlets keep their elevation.
         let scale = self.relief.si() / greatest;
-        let z = terrain.elevation_mut();
-        for &i in order.iter().rev() {
-            let (i, r) = (i as usize, tree.receiver[i as usize] as usize);
-            if r != i {
-                z[i] = z[r] + (heights[i] - heights[r]) * scale;
+        terrain.change(Layer::Bedrock, |z| {
+            for &i in order.iter().rev() {
+                let (i, r) = (i as usize, tree.receiver[i as usize] as usize);
+                if r != i {
+                    z[i] = z[r] + (heights[i] - heights[r]) * scale;
+                }
             }
-        }
+        });
         let status = domain.status();
-        let cell = terrain.grid.cell_area();
+        let cell = terrain.grid().cell_area();
         let area = parallel::map(tree.area.len(), |i| if status[i] == MASKED { f64::NAN } else { tree.area[i] * cell });
-        terrain.fields_mut().insert(&names::DRAINAGE_AREA, area);
-        terrain.fields_mut().insert(&names::RECEIVER, tree.receiver);
-        Ok(())
+        terrain.fields_mut().insert(&names::DRAINAGE_AREA, area)?;
+        terrain.fields_mut().insert(&names::RECEIVER, tree.receiver)
     }
 }
 
@@ -207,7 +208,7 @@ impl Tree {
     }
 
     /// Tries so many changes per node, ever colder.
-    pub(super) fn search(&mut self, domain: &RasterDomain, sweeps: u64, temperature: f64, seed: Seed) {
+    pub(super) fn search(&mut self, domain: &RasterDomain, iterations: u64, temperature: f64, seed: Seed) {
         let has_choice = |i: &usize| domain.status()[*i] == INTERIOR && domain.neighbours(*i).next().is_some();
         let inner: Vec<usize> = (0..self.area.len()).filter(has_choice).collect();
         if inner.is_empty() {
@@ -216,7 +217,7 @@ impl Tree {
         let unit = domain.area(0).sqrt();
         let mean = self.energy() / inner.len() as f64;
         let mut draws = seed.stream();
-        let all = sweeps * inner.len() as u64;
+        let all = iterations * inner.len() as u64;
         for k in 0..all {
             let bits = draws.bits();
             let node = inner[Stream::index(bits as u32, inner.len())];

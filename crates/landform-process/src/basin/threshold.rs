@@ -18,7 +18,7 @@
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
 use landform_core::grid::{Domain, INTERIOR, MASKED, NO_SLOT, RasterDomain};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, Ratio, YEAR};
 use landform_core::verb::{Change, Context, Outlets, OwnClock, Params, Process, Source, Step};
 use landform_core::{Error, Result, parallel};
@@ -53,7 +53,7 @@ pub struct ThresholdErosion {
     pub threshold: Length,
     /// Rounds of shaking after the first wear.
     #[schemars(extend("x-min" = 0, "x-max" = 100_000))]
-    pub perturbations: u64,
+    pub iterations: u64,
     /// Part of the nodes that a shaking raises.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub shaken: Ratio,
@@ -70,7 +70,7 @@ impl Default for ThresholdErosion {
     fn default() -> Self {
         Self {
             threshold: Length::of(10.0),
-            perturbations: 25,
+            iterations: 25,
             shaken: Ratio::of(0.1),
             perturbation: Length::of(10.0),
             hollows: Hollows::Overflow,
@@ -81,6 +81,7 @@ impl Default for ThresholdErosion {
 
 impl Params for ThresholdErosion {
     const NAME: &'static str = "threshold_erosion";
+    const RENAMED: &'static [(&'static str, &'static str)] = &[("perturbations", "iterations")];
     const SOURCES: &'static [Source] = &[Source {
         authors: "Rinaldo et al. (1993)",
         title: "Self-organized fractal river networks, Physical Review Letters 70(6)",
@@ -104,7 +105,7 @@ impl Process<HeightField> for ThresholdErosion {
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
-        Some(OwnClock { dt: YEAR, rounds: self.perturbations + 1, is_timed: false })
+        Some(OwnClock { dt: YEAR, rounds: self.iterations + 1, is_timed: false })
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
@@ -116,12 +117,12 @@ impl Process<HeightField> for ThresholdErosion {
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
         let domain = terrain.domain();
-        let area = terrain.grid.cell_area();
+        let area = terrain.grid().cell_area();
         let raised = if at.index > 0 { self.shake(terrain, &domain, at) } else { 0.0 };
         let (mut eroded, mut amount) = (0.0, Vec::new());
         for sweep in 0.. {
             amount = self.route(&domain, terrain.elevation(), &mut state.flow);
-            let lowered = self.wear(&domain, &state.flow, &amount, terrain.elevation_mut());
+            let lowered = terrain.change(Layer::Surface("sediment"), |z| self.wear(&domain, &state.flow, &amount, z));
             eroded += lowered;
             if lowered == 0.0 {
                 break;
@@ -136,7 +137,7 @@ impl Process<HeightField> for ThresholdErosion {
         }
         let status = domain.status();
         parallel::update(&mut amount, |i, a| *a = if status[i] == MASKED { f64::NAN } else { *a });
-        terrain.fields_mut().insert(&names::DRAINAGE_AREA, amount);
+        terrain.fields_mut().insert(&names::DRAINAGE_AREA, amount)?;
         let greatest = if raised > 0.0 { self.perturbation.si() } else { 0.0 };
         let eroded = eroded * area;
         Ok(Change { supplied: raised * area, eroded, exported: eroded, raised: greatest, ..Change::default() })
@@ -152,7 +153,7 @@ impl ThresholdErosion {
             let hit = status[i] == INTERIOR && seed.uniform(0) < self.shaken.si();
             if hit { self.perturbation.si() * seed.uniform(1) } else { 0.0 }
         };
-        parallel::update(terrain.elevation_mut(), |i, z| *z += by(i));
+        terrain.change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += by(i)));
         parallel::sum(status.len(), by)
     }
 

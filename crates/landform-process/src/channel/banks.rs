@@ -20,7 +20,7 @@ const BAND: usize = 32;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bank {
     /// Flow that rivers nearby lend to it (f_a).
-    pub(super) lent: f64,
+    pub(super) lateral_flow: f64,
     /// Surface of the river that it is nearest to, in radii, m.
     pub(super) stage: f64,
     /// Depth of that river, m.
@@ -28,7 +28,7 @@ pub(super) struct Bank {
     nearness: f64,
 }
 
-const NOWHERE: Bank = Bank { lent: 0.0, stage: f64::NEG_INFINITY, depth: 0.0, nearness: f64::INFINITY };
+const NOWHERE: Bank = Bank { lateral_flow: 0.0, stage: f64::NEG_INFINITY, depth: 0.0, nearness: f64::INFINITY };
 
 /// How wide and deep rivers are.
 #[derive(Clone, Copy, Debug)]
@@ -84,7 +84,7 @@ pub(super) fn banks(grid: &Grid, ground: &[f64], flow: &[f64], still: &[f64], ri
                     let nearness = (x * x + y * y).sqrt() / radius;
                     let bank = &mut out[(row - first) * shape.cols + col];
                     if ground[shape.index(row, col)] > z {
-                        bank.lent += part * (1.0 - nearness);
+                        bank.lateral_flow += part * (1.0 - nearness);
                     }
                     if nearness < bank.nearness {
                         *bank = Bank { nearness, stage: z + depth, depth, ..*bank };
@@ -114,8 +114,8 @@ mod tests {
             banks(&grid, &ground, &flow, &vec![0.0; n * n], &river, &mut out);
             // Beside the river, nearly on it.
             let near = out[(n / 2) * n + middle + 1];
-            assert!((near.lent / 0.25 - 1.0).abs() < 0.35, "{}", near.lent);
-            assert_eq!(out[(n / 2) * n + middle + (110.0 / dx) as usize].lent, 0.0);
+            assert!((near.lateral_flow / 0.25 - 1.0).abs() < 0.35, "{}", near.lateral_flow);
+            assert_eq!(out[(n / 2) * n + middle + (110.0 / dx) as usize].lateral_flow, 0.0);
             assert_eq!(near.stage, 1.0);
         }
     }

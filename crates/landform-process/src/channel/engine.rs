@@ -8,7 +8,7 @@ use landform_core::parallel;
 use serde::{Deserialize, Serialize};
 
 use super::params::{ChannelErosion, Transport};
-use super::ways::{Piped, Swept, Ways};
+use super::ways::{Piped, SedimentRouting, Swept};
 use crate::mechanism::water::{Ledger, Pipes, Rule, Supply, Sweep};
 
 /// Water on the ground, between rounds.
@@ -74,7 +74,7 @@ impl Water {
         &'a self,
         (domain, ground): (&'a RasterDomain, &'a [f64]),
         sinks: &[bool],
-    ) -> Option<Box<dyn Ways + 'a>> {
+    ) -> Option<Box<dyn SedimentRouting + 'a>> {
         if let Some(pipes) = &self.pipes {
             return Some(Box::new(Piped::new(pipes, (domain, ground), sinks)));
         }

@@ -37,7 +37,7 @@ use std::sync::Arc;
 
 use landform_core::field::names;
 use landform_core::grid::{Domain, Grid, INTERIOR, MASKED, RasterDomain, Side};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Process, Resolved, Step};
 use landform_core::{Error, Result, parallel};
@@ -47,9 +47,13 @@ use banks::{Bank, River, banks};
 use engine::Water;
 pub use params::{ChannelErosion, Inflow, Smoothing, Spring, Transport};
 use sediment::Sediment;
-use wear::{Ground, Weights, uplift, worn};
+use wear::{Ground, Weights, eroded_bed, uplift};
 
 use crate::mechanism::within_map;
+
+landform_core::stages! {
+    process ChannelErosion where HeightField;
+}
 
 /// Half-widths of the greatest river along the map's longer side.
 const RADII_ACROSS: f64 = 40.0;
@@ -90,7 +94,7 @@ impl Process<HeightField> for ChannelErosion {
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
-        let edges = terrain.grid.edges;
+        let edges = terrain.grid().edges;
         if self.transport == Transport::Pipes && (edges.wraps_cols() || edges.wraps_rows()) {
             return Err(Error::parameter(
                 "transport",
@@ -99,7 +103,7 @@ impl Process<HeightField> for ChannelErosion {
             ));
         }
         if let Some(radius) = self.channel_radius {
-            within_map("channel_radius", radius, &terrain.grid)?;
+            within_map("channel_radius", radius, terrain.grid())?;
         }
         if let Some(outlets) = &self.outlets {
             outlets.apply(terrain, 0.0, context)?;
@@ -127,11 +131,11 @@ impl Process<HeightField> for ChannelErosion {
         Ok(State {
             bottom,
             beyond,
-            water: Water::new(self, standing, terrain.grid.spacing),
+            water: Water::new(self, standing, terrain.grid().spacing),
             rate,
             sinks,
             softness,
-            sediment: Sediment::of(self, &terrain.grid),
+            sediment: Sediment::of(self, terrain.grid()),
             scratch: Scratch::default(),
         })
     }
@@ -142,13 +146,13 @@ impl Process<HeightField> for ChannelErosion {
         let carried_before = sediment.as_ref().map_or(0.0, Sediment::under_way);
         let ledger = water.round(self, &domain, terrain.elevation(), (rate, sinks, at.dt));
         debug_assert!(ledger.imbalance() < 1e-9, "{ledger:?}");
-        let river = self.river(&terrain.grid);
+        let river = self.river(terrain.grid());
         let stands = |d: f64| if self.transport != Transport::Pipes && d > FILM { d } else { 0.0 };
         let still = parallel::map(rate.len(), |i| stands(water.depth[i]));
-        banks(&terrain.grid, terrain.elevation(), &water.flow, &still, &river, &mut scratch.banks);
-        let (weights, area) = (self.weights(), terrain.grid.cell_area());
+        banks(terrain.grid(), terrain.elevation(), &water.flow, &still, &river, &mut scratch.banks);
+        let (weights, area) = (self.weights(), terrain.grid().cell_area());
         let ground = Ground {
-            grid: &terrain.grid,
+            grid: terrain.grid(),
             domain: &domain,
             z: terrain.elevation(),
             standing: &still,
@@ -159,7 +163,7 @@ impl Process<HeightField> for ChannelErosion {
             bottom: *bottom,
             beyond: *beyond,
         };
-        let mut new = worn(&ground, &weights);
+        let mut new = eroded_bed(&ground, &weights);
         let exported = sediment
             .as_mut()
             .and_then(|s| Some((s, water.ways((&domain, ground.z), sinks)?)))
@@ -174,15 +178,17 @@ impl Process<HeightField> for ChannelErosion {
             parallel::sum(old.len(), |i| if status[i] == MASKED { 0.0 } else { moved(i) }) * area
         };
         let (eroded, deposited) = (sum(-1.0), sum(1.0));
-        let raised = uplift(&terrain.grid, &weights);
+        let raised = uplift(terrain.grid(), &weights);
         let inner = parallel::sum(old.len(), |i| f64::from(u8::from(is_inner(i))));
-        parallel::update(terrain.elevation_mut(), |i, z| {
-            if status[i] != MASKED {
-                *z = if is_inner(i) { new[i] + raised } else { new[i] };
-            }
+        terrain.change(Layer::Surface("sediment"), |z| {
+            parallel::update(z, |i, z| *z = if status[i] != MASKED { new[i] } else { *z });
         });
+        if raised != 0.0 {
+            terrain
+                .change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += if is_inner(i) { raised } else { 0.0 }));
+        }
         let carried = state.sediment.as_ref().map_or(0.0, |s| (s.under_way() - carried_before) * area);
-        self.leave_water(terrain, state, &surface);
+        self.leave_water(terrain, state, &surface)?;
         Ok(Change {
             supplied: raised * inner * area,
             eroded,
@@ -217,7 +223,7 @@ impl ChannelErosion {
     /// Water that comes to each node, m/s.
     fn supply(&self, terrain: &HeightField, domain: &RasterDomain, context: &Context) -> Result<Vec<f64>> {
         let rain = self.rainfall.resolve("rainfall", terrain, context)?;
-        let (grid, status, area) = (&terrain.grid, domain.status(), terrain.grid.cell_area());
+        let (grid, status, area) = (terrain.grid(), domain.status(), terrain.grid().cell_area());
         if let Some(i) = parallel::find_first(status.len(), |i| status[i] != MASKED && !(rain.at(i) >= 0.0)) {
             let value = format!("{} m/s at node {i}", rain.at(i));
             return Err(Error::parameter("rainfall", value, "at least 0 everywhere"));
@@ -248,12 +254,12 @@ impl ChannelErosion {
     }
 
     /// Leaves depth and discharge of the water as fields.
-    fn leave_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) {
+    fn leave_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) -> Result<()> {
         let State { water, rate, scratch, .. } = state;
         let z = terrain.elevation();
-        let area = terrain.grid.cell_area();
+        let area = terrain.grid().cell_area();
         let whole = parallel::sum(rate.len(), |i| rate[i]) * area;
-        let river = self.river(&terrain.grid);
+        let river = self.river(terrain.grid());
         let is_real = self.transport == Transport::Pipes;
         let depth = parallel::map(z.len(), |i| {
             if z[i].is_nan() || is_real {
@@ -267,8 +273,8 @@ impl ChannelErosion {
         });
         let discharge = parallel::map(z.len(), |i| water.flow[i] * whole);
         let fields = terrain.fields_mut();
-        fields.insert(&names::WATER_DEPTH, depth);
-        fields.insert(&names::DISCHARGE, discharge);
+        fields.insert(&names::WATER_DEPTH, depth)?;
+        fields.insert(&names::DISCHARGE, discharge)
     }
 }
 
@@ -277,8 +283,8 @@ fn bottom_and_slope(terrain: &HeightField) -> (f64, f64) {
     let z = terrain.elevation();
     let range = |(a, b): (f64, f64), &z: &f64| (a.min(z), b.max(z));
     let (lo, hi) = z.iter().filter(|z| z.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), range);
-    let [w, h] = terrain.grid.extent();
-    (lo, (hi - lo) / (0.5 * w.max(h)).max(terrain.grid.spacing[0]))
+    let [w, h] = terrain.grid().extent();
+    (lo, (hi - lo) / (0.5 * w.max(h)).max(terrain.grid().spacing[0]))
 }
 
 /// Nodes one row or column inside a side.

@@ -26,9 +26,9 @@ use landform_core::{math, parallel};
 use serde::{Deserialize, Serialize};
 
 use super::params::ChannelErosion;
-use super::ways::Ways;
+use super::ways::SedimentRouting;
 use super::wear::Ground;
-use crate::mechanism::water::{Lower, Rule};
+use crate::mechanism::water::{FlowPartition, Rule};
 
 /// Settling lengths along the map's longer side.
 const LENGTHS_ACROSS: f64 = 50.0;
@@ -68,11 +68,11 @@ impl Sediment {
 
     /// Carries what a round of wear sets loose and settles it: `new` becomes the ground after the round.
     /// Returns what leaves the map, as depths summed over nodes, m.
-    pub(super) fn carry(&mut self, g: &Ground, ways: &dyn Ways, sinks: &[bool], new: &mut [f64]) -> f64 {
+    pub(super) fn carry(&mut self, g: &Ground, ways: &dyn SedimentRouting, sinks: &[bool], new: &mut [f64]) -> f64 {
         let whole = shed(g, new);
         let (status, cell) = (g.domain.status(), g.grid.spacing[0].min(g.grid.spacing[1]));
         // Surface of the lowest ground that sends anything here: what settles stays below it.
-        let mut roof = vec![f64::INFINITY; new.len()];
+        let mut max_bed = vec![f64::INFINITY; new.len()];
         let mut left = 0.0;
         let mut in_lakes: Vec<(usize, usize, f64)> = Vec::new();
         for i in ways.order() {
@@ -81,15 +81,15 @@ impl Sediment {
                 left += came + g.z[i] - new[i];
                 continue;
             }
-            let mut onward = ways.onward(i, g.flow[i]);
-            let above = if roof[i] < f64::INFINITY { (roof[i] - g.z[i]).max(0.0) } else { 0.0 };
+            let mut downstream = ways.downstream(i, g.flow[i]);
+            let above = if max_bed[i] < f64::INFINITY { (max_bed[i] - g.z[i]).max(0.0) } else { 0.0 };
             let lake = ways.lake(i);
             let (capacity, room) = match lake {
                 Some(_) => (0.0, ways.surface(i) - g.z[i]),
                 None => {
-                    let flow = g.banks[i].lent + g.flow[i];
+                    let flow = g.banks[i].lateral_flow + g.flow[i];
                     (
-                        whole * flow * slope_onward(g, ways, &onward, i) / self.graded,
+                        whole * flow * slope_downstream(g, ways, &downstream, i) / self.graded,
                         above + RISE * self.graded.min(STEEP) * cell,
                     )
                 }
@@ -106,18 +106,18 @@ impl Sediment {
             let on = came - change;
             if lake.is_none() && too_much > 0.0 {
                 // Overloaded rivers braid.
-                onward.share(Rule::Weighted, ways.height(i), g.flow[i]);
+                downstream.set_weights(Rule::Weighted, ways.height(i), g.flow[i]);
             }
-            if onward.is_empty() {
+            if downstream.is_empty() {
                 match lake {
                     Some(lake) => in_lakes.push((lake, i, on)),
                     None => self.under_way[i] = on,
                 }
                 continue;
             }
-            for (j, share) in onward.shares() {
+            for (j, share) in downstream.weights() {
                 self.under_way[j] += on * share;
-                roof[j] = roof[j].min(new[i]);
+                max_bed[j] = max_bed[j].min(new[i]);
             }
         }
         spread_in_lakes(ways, in_lakes, new, &mut self.under_way);
@@ -131,7 +131,7 @@ fn shed(g: &Ground, new: &[f64]) -> f64 {
 }
 
 /// Slope along the ways on.
-fn slope_onward(g: &Ground, ways: &dyn Ways, onward: &Lower, i: usize) -> f64 {
+fn slope_downstream(g: &Ground, ways: &dyn SedimentRouting, downstream: &FlowPartition, i: usize) -> f64 {
     let [dx, dy] = g.grid.spacing;
     let cols = g.grid.shape.cols;
     let fall = |(j, share): (usize, f64)| {
@@ -139,11 +139,11 @@ fn slope_onward(g: &Ground, ways: &dyn Ways, onward: &Lower, i: usize) -> f64 {
         let distance = math::hypot(rows.min(1) as f64 * dy, across.min(1) as f64 * dx);
         share * (ways.height(i) - ways.surface(j)).max(0.0) / distance
     };
-    onward.shares().map(fall).sum()
+    downstream.weights().map(fall).sum()
 }
 
 /// Spreads what has reached the deepest places of lakes, by the depth that is left; what does not fit stays there.
-fn spread_in_lakes(ways: &dyn Ways, rests: Vec<(usize, usize, f64)>, new: &mut [f64], load: &mut [f64]) {
+fn spread_in_lakes(ways: &dyn SedimentRouting, rests: Vec<(usize, usize, f64)>, new: &mut [f64], load: &mut [f64]) {
     let Some(last) = rests.iter().map(|r| r.0).max() else { return };
     let mut amount = vec![0.0; last + 1];
     let mut room = vec![0.0; last + 1];

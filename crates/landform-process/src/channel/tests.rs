@@ -67,7 +67,7 @@ fn fewer_and_wider_channels_reach_the_foot() {
     // Capture: threads that carry flow across the lower part of the slope become fewer.
     let threads = |t: &HeightField| {
         let q = t.fields().get(&names::DISCHARGE, "").unwrap();
-        let (rows, cols) = (t.grid.shape.rows, t.grid.shape.cols);
+        let (rows, cols) = (t.grid().shape.rows, t.grid().shape.cols);
         let row: Vec<f64> = (0..cols).map(|c| q[(rows - 20) * cols + c]).collect();
         let total: f64 = row.iter().sum();
         // Effective number: 1 / sum of squared shares.

@@ -7,14 +7,14 @@ use landform_core::algo::outline::label_regions;
 use landform_core::grid::RasterDomain;
 use landform_core::parallel;
 
-use crate::mechanism::water::{Lower, Pipes, Rule, Sweep, highest_first};
+use crate::mechanism::water::{FlowPartition, Pipes, Rule, Sweep, highest_first};
 
 /// Where sediment goes.
-pub(super) trait Ways {
+pub(super) trait SedimentRouting {
     /// Nodes, higher ones before their lower neighbours.
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_>;
     /// Where what passes a node goes on to, with shares; always to lower ground. `part` is the flow as a part of all water.
-    fn onward(&self, node: usize, part: f64) -> Lower;
+    fn downstream(&self, node: usize, part: f64) -> FlowPartition;
     /// Height of a node's ground as its ways see it.
     fn height(&self, node: usize) -> f64;
     /// The lake over a node.
@@ -29,13 +29,13 @@ pub(super) struct Swept<'a> {
     pub(super) domain: &'a RasterDomain,
 }
 
-impl Ways for Swept<'_> {
+impl SedimentRouting for Swept<'_> {
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         Box::new(self.sweep.order())
     }
 
-    fn onward(&self, node: usize, part: f64) -> Lower {
-        self.sweep.onward(self.domain, node, part)
+    fn downstream(&self, node: usize, part: f64) -> FlowPartition {
+        self.sweep.downstream(self.domain, node, part)
     }
 
     fn height(&self, node: usize) -> f64 {
@@ -75,23 +75,23 @@ impl<'a> Piped<'a> {
     }
 }
 
-impl Ways for Piped<'_> {
+impl SedimentRouting for Piped<'_> {
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         Box::new(highest_first(self.ground).into_iter())
     }
 
-    fn onward(&self, node: usize, part: f64) -> Lower {
+    fn downstream(&self, node: usize, part: f64) -> FlowPartition {
         let z = self.ground[node];
-        let mut lower = Lower::default();
-        for (to, volume) in self.pipes.gave(self.domain, node) {
+        let mut lower = FlowPartition::default();
+        for (to, volume) in self.pipes.volume_out(self.domain, node) {
             if volume > 0.0 && self.ground[to] < z {
                 lower.push(to, z - volume);
             }
         }
         if lower.is_empty() {
-            lower = Lower::around(self.domain, self.ground, node, |to| self.ground[to]);
+            lower = FlowPartition::from_neighbours(self.domain, self.ground, node, |to| self.ground[to]);
         }
-        lower.share(Rule::Weighted, z, part);
+        lower.set_weights(Rule::Weighted, z, part);
         lower
     }
 

@@ -115,11 +115,11 @@ struct Cut {
 }
 
 /// The ground after a round.
-pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
+pub(super) fn eroded_bed(g: &Ground, weights: &Weights) -> Vec<f64> {
     let u = unit(g.grid);
     let surface = parallel::map(g.z.len(), |i| g.z[i] + g.standing[i]);
     let power = |i: usize| {
-        let f = weights.avalanche * g.banks[i].lent + weights.flow * g.flow[i];
+        let f = weights.avalanche * g.banks[i].lateral_flow + weights.flow * g.flow[i];
         if f > 0.0 { math::pow(f, weights.exponent) } else { 0.0 }
     };
     let cut = parallel::map(g.z.len(), |i| {
@@ -131,7 +131,7 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
         let floor = g.lowest(i);
         // Standing water slows the flow as it deepens it; its pull on the ground goes with the square of its speed.
         let still = g.standing[i];
-        let brisk = if still > 0.0 {
+        let flow_damping = if still > 0.0 {
             let d = g.river.depth(g.flow[i]);
             (d / (d + still)) * (d / (d + still))
         } else {
@@ -144,7 +144,7 @@ pub(super) fn worn(g: &Ground, weights: &Weights) -> Vec<f64> {
             0.0
         };
         let slope = slope.max(g.fall(i));
-        let taken = f * brisk * u * (weights.advection * slope + weights.base);
+        let taken = f * flow_damping * u * (weights.advection * slope + weights.base);
         let new = if z > floor { (z - taken).max(floor) } else { (z - taken).max(g.bottom.min(z)) };
         Cut { z: new, power: f, floor }
     });

@@ -13,7 +13,7 @@
 
 use landform_core::field::names;
 use landform_core::grid::{Edge, Edges, Grid, Lattice};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, Ratio, RatioDimension};
 use landform_core::verb::{Context, Estimate, Generator, Params, Source, Varying};
 use landform_core::{Error, Result};
@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use super::heights::{LevelInterpolation, heights};
 use super::levels::Gnawing;
 use super::params::{CoastErosion, Exposure, Perimeter, Weakening, Whole};
-use crate::mechanism::within_map;
+use crate::mechanism::{GridParams, within_map};
 
 /// Level sets along the longer side, if their spacing is not given.
 const SETS_ACROSS: f64 = 24.0;
@@ -34,12 +34,8 @@ const SETS_ACROSS: f64 = 24.0;
 pub struct FrontTerrain {
     /// The lowest ground, where at least one half: a picture such as { image = "strokes.png", black = 0.0, white = 1.0 }, or a formula.
     pub mask: Varying<RatioDimension>,
-    /// Extent east and north.
-    #[schemars(extend("x-above" = 0.0))]
-    pub size: [Length; 2],
-    /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
-    pub cell_size: Length,
+    /// Extent and distance between nodes.
+    pub grid: GridParams,
     /// Elevation of the lowest ground.
     pub lowest: Length,
     /// Greatest height above the lowest ground.
@@ -68,8 +64,7 @@ impl Default for FrontTerrain {
     fn default() -> Self {
         Self {
             mask: Ratio::of(1.0).into(),
-            size: [Length::of(2560.0); 2],
-            cell_size: Length::of(10.0),
+            grid: GridParams::of([2560.0; 2], 10.0),
             lowest: Length::of(0.0),
             relief: Length::of(300.0),
             interpolation: LevelInterpolation::Variational,
@@ -85,6 +80,7 @@ impl Default for FrontTerrain {
 
 impl Params for FrontTerrain {
     const NAME: &'static str = "front_terrain";
+    const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = CoastErosion::SOURCES;
 
     fn check(&self) -> Result<()> {
@@ -92,28 +88,22 @@ impl Params for FrontTerrain {
     }
 }
 
-impl FrontTerrain {
-    fn grid(&self) -> Result<Grid> {
-        Grid::covering(self.size.map(Length::si), self.cell_size.si())
-    }
-}
-
 impl Generator<HeightField> for FrontTerrain {
     fn generate(&self, context: &Context) -> Result<HeightField> {
-        let grid = self.grid()?;
+        let grid = self.grid.grid()?;
         if let Some(w) = self.weakening {
             within_map("weakening", w.radius, &grid)?;
         }
-        let mut terrain = HeightField::new(grid, vec![self.lowest.si(); self.grid()?.len()])?;
+        let mut terrain = HeightField::new(grid, vec![self.lowest.si(); self.grid.grid()?.len()])?;
         let mask = self.mask.resolve("mask", &terrain, context)?;
-        let land: Vec<bool> = (0..terrain.grid.len()).map(|i| mask.at(i) < 0.5).collect();
+        let land: Vec<bool> = (0..terrain.grid().len()).map(|i| mask.at(i) < 0.5).collect();
         if land.iter().all(|l| *l) {
             return Err(Error::parameter("mask", "below one half everywhere", "a map that chooses some of the ground"));
         }
-        let longer = terrain.grid.extent()[0].max(terrain.grid.extent()[1]);
+        let longer = terrain.grid().extent()[0].max(terrain.grid().extent()[1]);
         let spacing = self.spacing.map_or(longer / SETS_ACROSS, Length::si);
         // The map's sides are no sea.
-        let closed = Grid { edges: Edges::all(Edge::Closed), ..terrain.grid.clone() };
+        let closed = Grid { edges: Edges::all(Edge::Closed), ..terrain.grid().clone() };
         let gnawing = Gnawing {
             force: self.force,
             damping: self.damping,
@@ -127,13 +117,13 @@ impl Generator<HeightField> for FrontTerrain {
         let interval = self.relief.si() / f64::from(count);
         let lattice = Lattice::of(&closed);
         let heights = heights(&lattice, &levels, interval, interval / spacing, self.interpolation, |_| false);
-        terrain.elevation_mut().iter_mut().zip(&heights).for_each(|(z, h)| *z += h);
-        terrain.fields_mut().insert(&names::LEVEL_SET, levels);
+        terrain.change(Layer::Bedrock, |z| z.iter_mut().zip(&heights).for_each(|(z, h)| *z += h));
+        terrain.fields_mut().insert(&names::LEVEL_SET, levels)?;
         Ok(terrain)
     }
 
     fn estimate(&self, _: &Context) -> Result<Estimate> {
-        let nodes = self.grid()?.len() as u64;
-        Ok(Estimate { nodes, bytes: nodes * 260, extent: self.size.map(Length::si) })
+        let nodes = self.grid.grid()?.len() as u64;
+        Ok(Estimate { nodes, bytes: nodes * 260, extent: self.grid.size.map(Length::si) })
     }
 }

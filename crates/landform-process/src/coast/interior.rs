@@ -6,7 +6,7 @@
 use landform_core::Result;
 use landform_core::field::names;
 use landform_core::grid::Lattice;
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, Ratio};
 use landform_core::verb::{Context, Edit, Params, Source};
 use schemars::JsonSchema;
@@ -42,8 +42,8 @@ pub struct IslandInterior {
     pub interval: Length,
     /// How heights between level sets are found.
     pub interpolation: LevelInterpolation,
-    /// Level of the sea.
-    pub sea_level: Length,
+    /// Sea level. As the environment has it, if not given; else 0 m.
+    pub sea_level: Option<Length>,
 }
 
 impl Default for IslandInterior {
@@ -57,7 +57,7 @@ impl Default for IslandInterior {
             spacing: Length::of(100.0),
             interval: Length::of(20.0),
             interpolation: LevelInterpolation::Hermite,
-            sea_level: Length::of(0.0),
+            sea_level: None,
         }
     }
 }
@@ -74,10 +74,11 @@ impl Params for IslandInterior {
 impl Edit<HeightField> for IslandInterior {
     fn edit(&self, terrain: &mut HeightField, context: &Context) -> Result<()> {
         if let Some(w) = self.weakening {
-            crate::mechanism::within_map("weakening", w.radius, &terrain.grid)?;
+            crate::mechanism::within_map("weakening", w.radius, terrain.grid())?;
         }
         let z = terrain.elevation();
-        let sea = flood(&terrain.grid, z, self.sea_level.si())?;
+        let level = context.environment.level_or(self.sea_level, context.time);
+        let sea = flood(terrain.grid(), z, level)?;
         let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();
         let gnawing = Gnawing {
             force: self.force,
@@ -87,19 +88,18 @@ impl Edit<HeightField> for IslandInterior {
             weakening: self.weakening,
             spacing: self.spacing.si(),
         };
-        let levels = gnawing.levels(&terrain.grid, &land, context.seed)?;
+        let levels = gnawing.levels(terrain.grid(), &land, context.seed)?;
         let slope = self.interval.si() / self.spacing.si();
         // The sea beyond the map's open sides.
-        let (shape, edges) = (terrain.grid.shape, terrain.grid.edges);
+        let (shape, edges) = (terrain.grid().shape, terrain.grid().edges);
         let shore = |i: usize| levels[i] == 1 && edges.open_sides_at(shape, i) > 0;
-        let lattice = Lattice::of(&terrain.grid);
+        let lattice = Lattice::of(terrain.grid());
         let heights = heights(&lattice, &levels, self.interval.si(), slope, self.interpolation, shore);
-        for i in 0..land.len() {
-            if land[i] {
-                terrain.elevation_mut()[i] = self.sea_level.si() + heights[i];
+        terrain.change(Layer::Bedrock, |z| {
+            for i in (0..land.len()).filter(|&i| land[i]) {
+                z[i] = level + heights[i];
             }
-        }
-        terrain.fields_mut().insert(&names::LEVEL_SET, levels);
-        Ok(())
+        });
+        terrain.fields_mut().insert(&names::LEVEL_SET, levels)
     }
 }

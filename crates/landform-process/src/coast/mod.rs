@@ -32,9 +32,9 @@ mod prune;
 mod tests;
 
 use landform_core::field::names;
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::YEAR;
-use landform_core::verb::{Change, Context, OwnClock, Process, Resolved, Step};
+use landform_core::verb::{Change, Context, Environment, OwnClock, Process, Resolved, Step};
 use landform_core::{Error, Result};
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +47,13 @@ pub use prune::PruneIslands;
 
 use crate::mechanism::within_map;
 
+landform_core::stages! {
+    generate FrontTerrain => HeightField;
+    edit IslandInterior where HeightField;
+    edit PruneIslands where HeightField;
+    process CoastErosion where HeightField;
+}
+
 /// Land, what is left of its resistance, and parameters on the nodes.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
@@ -57,6 +64,8 @@ pub struct State {
     start_land: usize,
     left: usize,
     rests: bool,
+    /// Sea level, m.
+    sea_level: f64,
     force: Resolved,
     damping: Resolved,
     wear: Resolved,
@@ -68,7 +77,7 @@ pub struct State {
 impl CoastErosion {
     fn front(&self, terrain: &HeightField, land: Vec<bool>, material: Vec<f64>, length: Option<f64>) -> Result<Front> {
         let radius = self.weakening.map(|w| w.radius.si());
-        Front::new(&terrain.grid, land, material, (self.exposure, self.perimeter), radius, length)
+        Front::new(terrain.grid(), land, material, (self.exposure, self.perimeter), radius, length)
     }
 }
 
@@ -77,24 +86,26 @@ impl Process<HeightField> for CoastErosion {
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
-        Some(OwnClock { dt: YEAR, rounds: self.steps, is_timed: false })
+        Some(OwnClock { dt: YEAR, rounds: self.iterations, is_timed: false })
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
         if let Some(w) = self.weakening {
-            within_map("weakening", w.radius, &terrain.grid)?;
+            within_map("weakening", w.radius, terrain.grid())?;
         }
         let z = terrain.elevation();
-        let sea = flood(&terrain.grid, z, self.sea_level.si())?;
+        let level = context.environment.level_or(self.sea_level, context.time);
+        let sea = flood(terrain.grid(), z, level)?;
         let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();
         let start_land = land.iter().filter(|l| **l).count();
         if start_land == 0 {
-            return Err(Error::parameter("sea_level", self.sea_level, "a level that leaves land"));
+            return Err(Error::parameter("sea_level", format!("{level} m"), "a level that leaves land"));
         }
         let rock = self.resistance.resolve("resistance", terrain, context)?;
         let material = (0..z.len()).map(|i| rock.at(i) * context.seed.uniform(i as u64)).collect();
         let resolve = |v: &landform_core::verb::Varying<_>, name: &str| v.resolve(name, terrain, context);
         let mut state = State {
+            sea_level: level,
             land,
             material,
             age: vec![0; z.len()],
@@ -117,7 +128,7 @@ impl Process<HeightField> for CoastErosion {
         }
         let front = self.front(terrain, state.land.clone(), state.material.clone(), None)?;
         if front.is_done() {
-            return Err(Error::parameter("sea_level", self.sea_level, "a level at which the sea reaches land"));
+            return Err(Error::parameter("sea_level", format!("{level} m"), "a level at which the sea reaches land"));
         }
         state.start_length = front.start_length;
         state.front = Some(front);
@@ -152,23 +163,25 @@ impl Process<HeightField> for CoastErosion {
         let round = front.round(&drive);
         state.left -= round.fallen.len();
         state.rests = front.is_done() || round.fallen.is_empty() && state.wear.max() == 0.0;
-        let (floor, area) = (self.sea_level.si() - self.depth.si(), terrain.grid.cell_area());
+        let (floor, area) = (state.sea_level - self.depth.si(), terrain.grid().cell_area());
         let mut eroded = 0.0;
         for &site in &round.fallen {
             state.age[site] = (at.index + 1).min(u64::from(u32::MAX)) as u32;
-            let z = &mut terrain.elevation_mut()[site];
-            let new = z.min(floor);
-            eroded += *z - new;
-            *z = new;
         }
+        terrain.change(Layer::Surface("sediment"), |z| {
+            for &site in &round.fallen {
+                let new = z[site].min(floor);
+                eroded += z[site] - new;
+                z[site] = new;
+            }
+        });
         state.land = std::mem::take(&mut front.land);
         state.material = std::mem::take(&mut front.material);
         state.front = Some(front);
         Ok(Change { eroded: eroded * area, exported: eroded * area, ..Change::default() })
     }
 
-    fn finish(&self, terrain: &mut HeightField, state: &mut State) -> Result<()> {
-        terrain.fields_mut().insert(&names::SHORE_AGE, state.age.clone());
-        Ok(())
+    fn finish(&self, terrain: &mut HeightField, state: &mut State, _: &Environment) -> Result<()> {
+        terrain.fields_mut().insert(&names::SHORE_AGE, state.age.clone())
     }
 }

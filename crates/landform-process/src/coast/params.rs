@@ -130,9 +130,10 @@ pub struct CoastErosion {
     pub until: Until,
     /// Most rounds.
     #[schemars(extend("x-min" = 1, "x-max" = 1e7))]
-    pub steps: u64,
-    /// Level of the sea: what lies at or under it and reaches the open border is sea.
-    pub sea_level: Length,
+    pub iterations: u64,
+    /// Sea level: what lies at or under it and reaches the open border is sea. As the environment has it, if not given; else
+    /// 0 m.
+    pub sea_level: Option<Length>,
     /// Depth of the water where land was taken.
     #[schemars(extend("x-above" = 0.0))]
     pub depth: Length,
@@ -150,8 +151,8 @@ impl Default for CoastErosion {
             wear: Varying::default(),
             resistance: Ratio::of(1.0).into(),
             until: Until::Stable(Stable::Stable),
-            steps: 5_000,
-            sea_level: Length::of(0.0),
+            iterations: 5_000,
+            sea_level: None,
             depth: Length::of(5.0),
         }
     }
@@ -159,6 +160,7 @@ impl Default for CoastErosion {
 
 impl Params for CoastErosion {
     const NAME: &'static str = "coast_erosion";
+    const RENAMED: &'static [(&'static str, &'static str)] = &[("steps", "iterations")];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Sapoval, Baldassarri & Gabrielli (2004)",

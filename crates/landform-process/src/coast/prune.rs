@@ -2,7 +2,7 @@
 
 use landform_core::Result;
 use landform_core::agents::{Connectivity, RasterSites, Sites};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Edit, Params, Source};
 use schemars::JsonSchema;
@@ -17,8 +17,8 @@ pub struct PruneIslands {
     /// Islands with a shorter coast go; 24 cells if not given.
     #[schemars(extend("x-min" = 0.0))]
     pub perimeter: Option<Length>,
-    /// Level of the sea.
-    pub sea_level: Length,
+    /// Sea level. As the environment has it, if not given; else 0 m.
+    pub sea_level: Option<Length>,
     /// Depth of the water where islands were.
     #[schemars(extend("x-above" = 0.0))]
     pub depth: Length,
@@ -26,7 +26,7 @@ pub struct PruneIslands {
 
 impl Default for PruneIslands {
     fn default() -> Self {
-        Self { perimeter: None, sea_level: Length::of(0.0), depth: Length::of(5.0) }
+        Self { perimeter: None, sea_level: None, depth: Length::of(5.0) }
     }
 }
 
@@ -40,10 +40,11 @@ impl Params for PruneIslands {
 }
 
 impl Edit<HeightField> for PruneIslands {
-    fn edit(&self, terrain: &mut HeightField, _: &Context) -> Result<()> {
-        let sea = flood(&terrain.grid, terrain.elevation(), self.sea_level.si())?;
-        let sites = RasterSites::new(&terrain.grid, Connectivity::Four)?;
-        let cell = 0.5 * (terrain.grid.spacing[0] + terrain.grid.spacing[1]);
+    fn edit(&self, terrain: &mut HeightField, context: &Context) -> Result<()> {
+        let level = context.environment.level_or(self.sea_level, context.time);
+        let sea = flood(terrain.grid(), terrain.elevation(), level)?;
+        let sites = RasterSites::new(terrain.grid(), Connectivity::Four)?;
+        let cell = 0.5 * (terrain.grid().spacing[0] + terrain.grid().spacing[1]);
         let least = self.perimeter.map_or(24.0 * cell, Length::si);
         let mut seen = sea.clone();
         for first in 0..sea.len() {
@@ -64,11 +65,12 @@ impl Edit<HeightField> for PruneIslands {
                 }
             }
             if sides as f64 * cell < least {
-                let floor = self.sea_level.si() - self.depth.si();
-                for &site in &island {
-                    let z = &mut terrain.elevation_mut()[site];
-                    *z = if z.is_nan() { *z } else { z.min(floor) };
-                }
+                let floor = level - self.depth.si();
+                terrain.change(Layer::Surface("sediment"), |z| {
+                    island
+                        .iter()
+                        .for_each(|&site| z[site] = if z[site].is_nan() { z[site] } else { z[site].min(floor) });
+                });
             }
         }
         Ok(())

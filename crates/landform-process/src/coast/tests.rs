@@ -6,9 +6,9 @@ use landform_core::grid::{Edge, Edges, Grid, Shape};
 use landform_core::math;
 use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, Ratio};
-use landform_core::verb::{Context, Edit, NoMaps, Stopped, Varying};
+use landform_core::verb::{Context, Edit, Stopped, Varying};
 
 use super::*;
 
@@ -31,7 +31,7 @@ fn run(params: &CoastErosion, ground: HeightField, seed: u64) -> (HeightField, S
         .process(params.clone())
         .unwrap()
         .dt(YEAR)
-        .until(Stop::steps(params.steps))
+        .until(Stop::steps(params.iterations))
         .seed(Seed(seed));
     let outcome = simulation.run().unwrap();
     assert!(outcome.budget.imbalance() < 1e-9);
@@ -45,7 +45,7 @@ fn land(field: &HeightField) -> Vec<bool> {
 /// Land that hangs together with the last row by sides.
 fn mainland(field: &HeightField) -> Vec<bool> {
     let land = land(field);
-    let Shape { rows, cols } = field.grid.shape;
+    let Shape { rows, cols } = field.grid().shape;
     let mut main = vec![false; land.len()];
     let mut pending: Vec<usize> = ((rows - 1) * cols..rows * cols).filter(|&i| land[i]).collect();
     while let Some(i) = pending.pop() {
@@ -69,13 +69,13 @@ fn percolation(damping: f64, seed: u64) -> (f64, f64, f64) {
         force: number(force),
         damping: number(damping),
         exposure: Exposure::None,
-        steps: 20_000,
+        iterations: 20_000,
         ..CoastErosion::default()
     };
     let (field, stopped) = run(&params, ground(512, 768, 1.0, true), seed);
     assert_eq!(stopped, Stopped::AtRest);
     let land = land(&field);
-    let Shape { rows, cols } = field.grid.shape;
+    let Shape { rows, cols } = field.grid().shape;
     let sea = |r: usize, c: usize| !land[r * cols + c];
     let sides: usize = (0..land.len())
         .filter(|&i| land[i])
@@ -99,7 +99,7 @@ fn percolation(damping: f64, seed: u64) -> (f64, f64, f64) {
     let mean = rows_of.iter().sum::<f64>() / rows_of.len() as f64;
     let width = (rows_of.iter().map(|r| (r - mean) * (r - mean)).sum::<f64>() / rows_of.len() as f64).sqrt();
     let values: Vec<f64> = main.iter().map(|&m| if m { 1.0 } else { -1.0 }).collect();
-    let lines = isolines(&field.grid, &values, 0.0);
+    let lines = isolines(field.grid(), &values, 0.0);
     let longest = lines.iter().max_by(|a, b| a.length().total_cmp(&b.length())).unwrap();
     let dimension = dimension_by_boxes(&[&longest.points], 2.0, width.max(12.0)).map_or(f64::NAN, |d| d.dimension);
     (end, width, dimension)
@@ -163,7 +163,7 @@ fn the_sea_rests_and_is_one() {
     let (field, stopped) = run(&params, ground(128, 128, 10.0, false), 2);
     assert_eq!(stopped, Stopped::AtRest);
     let land = land(&field);
-    let sea = front::flood(&field.grid, field.elevation(), 0.0).unwrap();
+    let sea = front::flood(field.grid(), field.elevation(), 0.0).unwrap();
     assert!(land.iter().zip(&sea).all(|(l, s)| l != s), "all water reaches the border");
     let age = field.fields().get(&names::SHORE_AGE, "test").unwrap();
     for i in (0..land.len()).filter(|&i| age[i] > 1) {
@@ -196,7 +196,7 @@ fn weakening_straightens_the_coast() {
                 };
                 let (field, _) = run(&params, ground(256, 256, 15.0, false), seed);
                 let values: Vec<f64> = land(&field).iter().map(|&m| if m { 1.0 } else { -1.0 }).collect();
-                isolines(&field.grid, &values, 0.0).iter().map(|l| l.length()).sum::<f64>()
+                isolines(field.grid(), &values, 0.0).iter().map(|l| l.length()).sum::<f64>()
             })
             .sum();
         sum / 8.0 / (4.0 * 256.0 * 15.0)
@@ -245,15 +245,16 @@ fn wear_without_an_end_is_refused() {
 #[test]
 fn small_islands_go_and_large_ones_stay() {
     let mut field = ground(40, 40, 1.0, false);
-    let z = field.elevation_mut();
-    z.iter_mut().for_each(|z| *z = -5.0);
-    for r in 5..20 {
-        for c in 5..20 {
-            z[r * 40 + c] = 4.0;
+    field.change(Layer::Bedrock, |z| {
+        z.fill(-5.0);
+        for r in 5..20 {
+            for c in 5..20 {
+                z[r * 40 + c] = 4.0;
+            }
         }
-    }
-    (30..34).for_each(|c| z[30 * 40 + c] = 4.0);
-    let context = Context { seed: Seed(1), maps: &NoMaps };
+        (30..34).for_each(|c| z[30 * 40 + c] = 4.0);
+    });
+    let context = Context { seed: Seed(1), ..Context::default() };
     PruneIslands::default().edit(&mut field, &context).unwrap();
     assert_eq!(land(&field).iter().filter(|l| **l).count(), 225);
 }
@@ -282,7 +283,7 @@ fn islands_get_hills_within_their_outline() {
     for interpolation in [LevelInterpolation::Nearest, LevelInterpolation::Hermite] {
         let mut field = ground(90, 90, 10.0, false);
         let params = IslandInterior { interpolation, spacing: Length::of(80.0), ..IslandInterior::default() };
-        params.edit(&mut field, &Context { seed: Seed(3), maps: &NoMaps }).unwrap();
+        params.edit(&mut field, &Context { seed: Seed(3), ..Context::default() }).unwrap();
         let levels = field.fields().get(&names::LEVEL_SET, "test").unwrap();
         let most = *levels.iter().max().unwrap();
         assert!(most >= 4 && levels.iter().all(|&l| l > 0), "{most}");

@@ -1,13 +1,15 @@
 //! Sand in whole units on the ground of a terrain in metres.
 
 use landform_core::agents::Sand;
-use landform_core::field::names;
 use landform_core::terrain::{HeightField, NodeSurface};
-use landform_core::verb::Context;
+use landform_core::verb::{Context, Resolved};
 use landform_core::{Error, Result, math};
 use serde::{Deserialize, Serialize};
 
 use super::params::{Borders, Dunes, UNITS_A_SLAB};
+
+/// The layer that dunes are made of.
+pub(super) const SAND: &str = "sand";
 
 /// Sand on the ground of a terrain.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -19,19 +21,22 @@ pub(super) struct Field {
     pub(super) unit: f64,
     /// Units that left over the sides.
     pub(super) left: i64,
-    /// Units added up in [`Field::take_over`] by others.
+    /// Whether what leaves on one side enters on the other.
     torus: bool,
 }
 
 impl Field {
-    /// Lays the sand of the parameters on a terrain, beside what lies there.
+    /// Takes the sand that lies on a terrain, and at the start of a run lays that of the parameters beside it.
     pub(super) fn lay(params: &Dunes, terrain: &HeightField, context: &Context) -> Result<Self> {
-        let slab = params.slab_on(&terrain.grid);
+        let slab = params.slab_on(terrain.grid());
         let unit = slab / f64::from(UNITS_A_SLAB);
         let z = terrain.elevation();
-        let lying = terrain.fields().get(&names::SAND_DEPTH, "dunes").unwrap_or(&[]);
+        let lying = terrain.depth(SAND).unwrap_or(&[]);
         let lying = |i: usize| lying.get(i).copied().filter(|d| d.is_finite()).unwrap_or(0.0).max(0.0);
-        let more = params.sand.resolve("sand", terrain, context)?;
+        let more = match context.step {
+            0 => params.sand.resolve("sand", terrain, context)?,
+            _ => Resolved::Uniform(0.0),
+        };
         let highest = landform_core::parallel::max(z.len(), |i| z[i].abs() + more.at(i).abs() + lying(i));
         if highest / unit > f64::from(1 << 28) {
             let most = unit * f64::from(1 << 28);
@@ -44,9 +49,9 @@ impl Field {
         let ground: Vec<f64> = (0..z.len()).map(|i| z[i] - lying(i)).collect();
         let units = ground.iter().map(|g| if g.is_nan() { 0 } else { (g / unit).round() as i32 }).collect();
         let torus = params.borders == Borders::Periodic;
-        let steps = Sand::steps_of(params.repose.si(), terrain.grid.spacing, unit, UNITS_A_SLAB);
-        let mut sand = Sand::new(terrain.grid.shape, torus, units, steps, UNITS_A_SLAB);
-        let sea = params.sea_level.si();
+        let steps = Sand::steps_of(params.repose.si(), terrain.grid().spacing, unit, UNITS_A_SLAB);
+        let mut sand = Sand::new(terrain.grid().shape, torus, units, steps, UNITS_A_SLAB);
+        let sea = params.sea_at(context.environment, context.time);
         for i in 0..z.len() {
             if ground[i].is_nan() || ground[i] < sea {
                 sand.make_sink(i);
@@ -57,7 +62,8 @@ impl Field {
                 return Err(Error::parameter("sand", format!("{depth} m at node {i}"), "at least 0 m everywhere"));
             }
             // Whole slabs, rounded at random, are the first unevenness that wind takes hold of.
-            let slabs = (depth / slab + context.seed.uniform(i as u64)).floor() as i32;
+            let uneven = if context.step == 0 { context.seed.uniform(i as u64) } else { 0.0 };
+            let slabs = (depth / slab + uneven).floor() as i32;
             sand.lay(i, slabs * UNITS_A_SLAB + (lying(i) / unit).round() as i32);
         }
         sand.settle();
@@ -79,42 +85,27 @@ impl Field {
         (0..self.ground.len()).map(|i| self.sand.depth(i))
     }
 
-    /// Elevation of a site, m.
-    fn elevation(&self, i: usize) -> f64 {
-        self.ground[i] + f64::from(self.sand.depth(i)) * self.unit
-    }
-
-    /// Takes ground and sand as other processes have left them: sand by its field, if they wrote it; else what was lowered was sand first,
-    /// and hard ground where none is left.
+    /// Takes ground and sand as other processes have left them.
     pub(super) fn take_over(&mut self, terrain: &HeightField) {
-        let z = terrain.elevation();
-        let written = terrain.fields().get(&names::SAND_DEPTH, "dunes").unwrap_or(&[]);
-        for i in 0..z.len() {
-            let (own, known) = (self.sand.depth(i), self.elevation(i));
-            let told = written.get(i).copied().unwrap_or(f64::from(own) * self.unit);
-            let is_told = told != f64::from(own) * self.unit;
-            if z[i].is_nan() || z[i] == known && !is_told {
+        let (z, lying) = (terrain.elevation(), terrain.depth(SAND).unwrap_or(&[]));
+        // What rounding leaves is no change.
+        let same = |a: f64, b: f64| (a - b).abs() < 1e-6 * self.unit;
+        for i in 0..z.len().min(lying.len()) {
+            let own = f64::from(self.sand.depth(i)) * self.unit;
+            let known = self.ground[i] + own;
+            if z[i].is_nan() || same(z[i], known) && same(lying[i], own) {
                 continue;
             }
-            let depth = if is_told {
-                (told / self.unit).round() as i32
-            } else {
-                own - ((known - z[i]) / self.unit).round().clamp(0.0, f64::from(own)) as i32
-            };
+            let depth = (lying[i] / self.unit).round() as i32;
             self.ground[i] = z[i] - f64::from(depth) * self.unit;
             self.sand.set_site(i, (self.ground[i] / self.unit).round() as i32, depth);
         }
     }
 
-    /// Writes elevation and depth of sand.
-    pub(super) fn write(&self, terrain: &mut HeightField) {
-        for i in 0..self.ground.len() {
-            if !self.ground[i].is_nan() {
-                terrain.elevation_mut()[i] = self.elevation(i);
-            }
-        }
-        let depth = self.depths().map(|d| f64::from(d) * self.unit).collect();
-        terrain.fields_mut().insert(&names::SAND_DEPTH, depth);
+    /// Writes the depth of the sand; the surface follows.
+    pub(super) fn write(&self, terrain: &mut HeightField) -> Result<()> {
+        let depth: Vec<f64> = self.depths().map(|d| f64::from(d) * self.unit).collect();
+        terrain.change_depth(SAND, &depth)
     }
 
     /// The site where sand comes down that starts at a site and hops so many columns east and rows south; none if it leaves.

@@ -15,17 +15,17 @@ use landform_core::{math, parallel};
 
 use super::field::Field;
 use super::params::Dunes;
-use crate::mechanism::wind::Sweep;
+use crate::mechanism::wind::WindScan;
 
 /// The strength of the wind over a surface (in m), swept along `sweep`, into `out`.
-pub(super) fn wind_over(sweep: &Sweep, height: impl Fn(usize) -> f64, loss: f64, recovery: f64, out: &mut [f32]) {
-    let (lines, length) = sweep.lines();
+pub(super) fn wind_over(sweep: &WindScan, height: impl Fn(usize) -> f64, loss: f64, recovery: f64, out: &mut [f32]) {
+    let (lines, length) = sweep.scan_lines();
     let (mut before, mut here) = (vec![1.0f64; length], vec![1.0f64; length]);
     // Wind that comes back forgets where it began; then the seam of a torus may be crossed, and nobody sees it.
     let passes = if sweep.is_torus() && recovery > 0.0 { 2 } else { 1 };
     for k in 0..lines * passes {
         let (line, first) = (k % lines, k == 0);
-        let drift = sweep.whole_drift(line);
+        let drift = sweep.lateral_shift(line);
         for at in 0..length {
             let upwind = |by: i64| sweep.along(at, by - drift).map_or(1.0, |a| before[a]);
             let mut wind = if first { 1.0 } else { (upwind(-1) + upwind(0) + upwind(1)) / 3.0 };
@@ -39,7 +39,7 @@ pub(super) fn wind_over(sweep: &Sweep, height: impl Fn(usize) -> f64, loss: f64,
             let shielding = windward.map_or(0.0, |n| height(n) - height(node));
             // A hole in the ground neither slows nor stops.
             let shielding = if shielding.is_nan() { 0.0 } else { shielding.max(0.0) };
-            here[at] = (wind - loss * shielding / sweep.pace).clamp(0.0, 1.0);
+            here[at] = (wind - loss * shielding / sweep.line_spacing).clamp(0.0, 1.0);
             out[node] = here[at] as f32;
         }
         std::mem::swap(&mut before, &mut here);
@@ -58,14 +58,14 @@ pub(super) fn round(
     part: f64,
     seed: Seed,
 ) {
-    let grid = &terrain.grid;
-    let sweep = Sweep::new(grid.shape, grid.spacing, field.is_torus(), rose.winds()[wind].towards());
+    let grid = terrain.grid();
+    let sweep = WindScan::new(grid.shape, grid.spacing, field.is_torus(), rose.winds()[wind].towards());
     let surface = field.sand.surface();
-    let recovery = params.wind_recovery.map(Length::si).map_or(0.0, |d| 1.0 - math::exp(-sweep.pace / d));
+    let recovery = params.wind_recovery.map(Length::si).map_or(0.0, |d| 1.0 - math::exp(-sweep.line_spacing / d));
     air.resize(grid.len(), 0.0);
     wind_over(&sweep, |i| f64::from(surface[i]) * field.unit, params.wind_loss, recovery, air);
-    let climb = f64::from(field.fall(params.steepest_climb.si(), sweep.pace));
-    let (lines, length) = sweep.lines();
+    let climb = f64::from(field.fall(params.steepest_climb.si(), sweep.line_spacing));
+    let (lines, length) = sweep.scan_lines();
     // Where the slab of each cell goes, for all at once.
     let moves: Vec<Vec<(u32, u32)>> = parallel::map(lines, |line| {
         let mut moves = Vec::new();
@@ -98,10 +98,10 @@ pub(super) fn round(
 }
 
 /// The lowest of the three cells downwind, the middle one of equals; none off the field.
-fn downwind(sweep: &Sweep, line: usize, at: usize, surface: &[i32]) -> Option<usize> {
-    let lines = sweep.lines().0;
+fn downwind(sweep: &WindScan, line: usize, at: usize, surface: &[i32]) -> Option<usize> {
+    let lines = sweep.scan_lines().0;
     let (next, drift) = match line + 1 < lines {
-        true => (line + 1, sweep.whole_drift(line + 1)),
+        true => (line + 1, sweep.lateral_shift(line + 1)),
         false if sweep.is_torus() => (0, 0),
         false => return None,
     };

@@ -35,7 +35,7 @@ use landform_core::Result;
 use landform_core::field::names;
 use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, NodeSurface};
-use landform_core::verb::{Change, Context, OwnClock, Process, Rose, Step};
+use landform_core::verb::{Change, Context, Environment, OwnClock, Process, Step};
 use serde::{Deserialize, Serialize};
 
 use field::Field;
@@ -43,6 +43,10 @@ pub use params::{Borders, Dunes, Model};
 use protection::Protection;
 
 use crate::mechanism::within_map;
+
+landform_core::stages! {
+    process Dunes where HeightField;
+}
 
 /// Sand on its ground, and what shelters it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -65,21 +69,22 @@ struct Scratch {
 }
 
 impl Process<HeightField> for Dunes {
-    const WRITES: &'static [&'static str] = &["elevation", "sand_depth", "shelter", "wind"];
+    const WRITES: &'static [&'static str] = &["elevation", "sand_depth", "shelter", "surface_material", "wind"];
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
         // The length of a round follows from the cells, by `max_step`.
-        Some(OwnClock { dt: 1e12, rounds: self.steps + self.fine_rounds(), is_timed: true })
+        Some(OwnClock { dt: 1e12, rounds: self.iterations + self.fine_rounds(), is_timed: true })
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
         if self.model == Model::Protection {
-            within_map("reach", self.reach, &terrain.grid)?;
+            within_map("reach", self.reach, terrain.grid())?;
         }
         let field = Field::lay(self, terrain, context)?;
-        let protection = (self.model == Model::Protection).then(|| Protection::new(self, &terrain.grid, &field));
-        field.write(terrain);
+        let protection = (self.model == Model::Protection).then(|| Protection::new(self, terrain.grid(), &field));
+        terrain.make_layered(&context.environment.materials);
+        field.write(terrain)?;
         Ok(State { field, protection, seed: context.seed, scratch: Scratch::default() })
     }
 
@@ -91,18 +96,18 @@ impl Process<HeightField> for Dunes {
         let State { field, protection, seed, scratch } = state;
         field.take_over(terrain);
         let before: Vec<i32> = field.depths().collect();
-        let rose = Rose::new("wind", &self.wind)?;
+        let rose = self.rose(&at.environment)?;
         let wind = rose.draw(seed.named("wind"), at.index / self.spell);
         let part = (at.dt / self.round(field.slab())).min(1.0);
         // Finer slabs belong to the end of a run of so many rounds.
-        let is_own = at.of == Some(self.steps + self.fine_rounds());
+        let is_own = at.of == Some(self.iterations + self.fine_rounds());
         field.sand.set_slab(self.slab_units(if is_own { at.index } else { 0 }));
         let swallowed = field.sand.swallowed() + field.left;
         match self.model {
             Model::Koh => koh::round(self, terrain, field, &mut scratch.air, &rose, wind, part, at.seed),
-            _ => slabs::round(self, &terrain.grid, field, protection.as_mut(), scratch, &rose, wind, part, at.seed),
+            _ => slabs::round(self, terrain.grid(), field, protection.as_mut(), scratch, &rose, wind, part, at.seed),
         }
-        let unit = field.unit * terrain.grid.cell_area();
+        let unit = field.unit * terrain.grid().cell_area();
         let (mut eroded, mut deposited) = (0i64, 0i64);
         for (old, new) in before.iter().zip(field.depths()) {
             let d = i64::from(new - old);
@@ -110,7 +115,7 @@ impl Process<HeightField> for Dunes {
             eroded += (-d).max(0);
         }
         let lost = field.sand.swallowed() + field.left - swallowed;
-        field.write(terrain);
+        field.write(terrain)?;
         Ok(Change {
             eroded: eroded as f64 * unit,
             deposited: deposited as f64 * unit,
@@ -119,17 +124,17 @@ impl Process<HeightField> for Dunes {
         })
     }
 
-    fn finish(&self, terrain: &mut HeightField, state: &mut State) -> Result<()> {
+    fn finish(&self, terrain: &mut HeightField, state: &mut State, environment: &Environment) -> Result<()> {
         if self.smoothing > 0.0 {
-            smooth::diffuse(terrain, &state.field, self.smoothing, self.borders == Borders::Periodic);
+            smooth::diffuse(terrain, &state.field, self.smoothing, self.borders == Borders::Periodic)?;
         }
         if self.model != Model::Koh {
-            let shelter = self.shelter(terrain, state)?;
-            terrain.fields_mut().insert(&names::SHELTER, shelter);
+            let shelter = self.shelter(terrain, state, environment)?;
+            terrain.fields_mut().insert(&names::SHELTER, shelter)?;
         } else {
             let wind = state.scratch.air.iter().map(|&w| f64::from(w)).collect::<Vec<_>>();
-            if wind.len() == terrain.grid.len() {
-                terrain.fields_mut().insert(&names::WIND, wind);
+            if wind.len() == terrain.grid().len() {
+                terrain.fields_mut().insert(&names::WIND, wind)?;
             }
         }
         Ok(())
@@ -138,14 +143,14 @@ impl Process<HeightField> for Dunes {
 
 impl Dunes {
     /// Part of the winds from which each site is sheltered by the model's own rule, on the sand as it lies.
-    fn shelter(&self, terrain: &HeightField, state: &mut State) -> Result<Vec<f64>> {
+    fn shelter(&self, terrain: &HeightField, state: &mut State, environment: &Environment) -> Result<Vec<f64>> {
         let State { field, protection, scratch, .. } = state;
-        let rose = Rose::new("wind", &self.wind)?;
+        let rose = self.rose(environment)?;
         let total: f64 = rose.winds().iter().map(|w| w.weight).sum();
-        let mut part = vec![0.0; terrain.grid.len()];
+        let mut part = vec![0.0; terrain.grid().len()];
         for (k, wind) in rose.winds().iter().enumerate() {
             let at = (k, wind.towards());
-            slabs::find_shelter(self, &terrain.grid, field, protection.as_mut(), scratch, at);
+            slabs::find_shelter(self, terrain.grid(), field, protection.as_mut(), scratch, at);
             part.iter_mut()
                 .zip(&scratch.sheltered)
                 .for_each(|(p, s)| *p += f64::from(u8::from(*s)) * wind.weight / total);

@@ -2,7 +2,7 @@
 
 use landform_core::grid::Grid;
 use landform_core::units::{Angle, Diffusivity, Length, LengthDimension};
-use landform_core::verb::{Params, Rose, Source, Varying, Wind};
+use landform_core::verb::{Environment, Params, Rose, Source, Varying, Wind};
 use landform_core::{Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -32,15 +32,16 @@ pub enum Borders {
 }
 
 /// Dunes: wind piles loose sand on hard ground. Barchans, transverse, linear and star dunes follow from how much sand there is and how the
-/// wind turns. Runs without a clock for `steps` rounds, each as long as `flux` makes it.
+/// wind turns. Runs without a clock for `iterations` rounds, each as long as `flux` makes it.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Dunes {
     /// Rules that move the sand.
     pub model: Model,
-    /// Depth of sand laid on the ground at the start, beside what lies there (field sand_depth); none is laid under water.
+    /// Depth of sand laid on the ground at the start, beside the sand that lies there; none is laid under water.
     pub sand: Varying<LengthDimension>,
-    /// Winds and the part of the time that each blows, by the compass direction that it comes from.
+    /// Winds and the part of the time that each blows, by the compass direction that it comes from. As the environment
+    /// has them, if none are given; else a west wind.
     pub wind: Vec<Wind>,
     /// Rounds that a wind blows before the next is drawn.
     #[schemars(extend("x-min" = 1))]
@@ -50,7 +51,7 @@ pub struct Dunes {
     pub hop: Length,
     /// Rounds, if there is no clock; in each every place is blown at once on average.
     #[schemars(extend("x-max" = 1e7))]
-    pub steps: u64,
+    pub iterations: u64,
     /// Thickness of a slab; half of the greatest step between neighbours if not given (a third of a cell), with `koh` a sixth of it.
     #[schemars(extend("x-above" = 0.0))]
     pub slab: Option<Length>,
@@ -95,8 +96,8 @@ pub struct Dunes {
     pub flux: Diffusivity,
     /// What happens to sand at the sides.
     pub borders: Borders,
-    /// Sand that falls on ground under this level is lost to the sea.
-    pub sea_level: Length,
+    /// Sea level: sand that falls on ground under it is lost. As the environment has it, if not given; else 0 m.
+    pub sea_level: Option<Length>,
 }
 
 impl Default for Dunes {
@@ -104,10 +105,10 @@ impl Default for Dunes {
         Self {
             model: Model::Werner,
             sand: Length::of(3.0).into(),
-            wind: vec![Wind::from(270.0, 1.0)],
+            wind: Vec::new(),
             spell: 1,
             hop: Length::of(10.0),
-            steps: 200,
+            iterations: 200,
             slab: None,
             refinements: 3,
             stay_on_sand: 0.6,
@@ -123,13 +124,14 @@ impl Default for Dunes {
             smoothing: 1.0,
             flux: Diffusivity::of(30.0),
             borders: Borders::Periodic,
-            sea_level: Length::of(0.0),
+            sea_level: None,
         }
     }
 }
 
 impl Params for Dunes {
     const NAME: &'static str = "dunes";
+    const RENAMED: &'static [(&'static str, &'static str)] = &[("steps", "iterations")];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Werner (1995)",
@@ -145,7 +147,7 @@ impl Params for Dunes {
     ];
 
     fn check(&self) -> Result<()> {
-        Rose::new("wind", &self.wind).map(|_| ())
+        if self.wind.is_empty() { Ok(()) } else { Rose::new("wind", &self.wind).map(drop) }
     }
 }
 
@@ -153,6 +155,16 @@ impl Params for Dunes {
 pub(super) const UNITS_A_SLAB: i32 = 1 << 6;
 
 impl Dunes {
+    /// Sea level, m.
+    pub(super) fn sea_at(&self, environment: &Environment, time: f64) -> f64 {
+        environment.level_or(self.sea_level, time)
+    }
+
+    /// The winds.
+    pub(super) fn rose(&self, environment: &Environment) -> Result<Rose> {
+        environment.rose(&self.wind)
+    }
+
     /// Thickness of a slab on cells of a size, m.
     pub(super) fn slab_on(&self, grid: &Grid) -> f64 {
         let cell = grid.spacing[0].min(grid.spacing[1]);
@@ -170,9 +182,9 @@ impl Dunes {
         (1u64 << (self.refinements + 1)) - 2
     }
 
-    /// Units of a slab in a round of a run of `steps` and finer rounds.
+    /// Units of a slab in a round of a run of `iterations` and finer rounds.
     pub(super) fn slab_units(&self, round: u64) -> i32 {
-        let Some(mut later) = round.checked_sub(self.steps.max(1)) else { return UNITS_A_SLAB };
+        let Some(mut later) = round.checked_sub(self.iterations.max(1)) else { return UNITS_A_SLAB };
         for k in 1..=self.refinements {
             if later < 1 << k {
                 return UNITS_A_SLAB >> k;

@@ -8,7 +8,7 @@ use super::Scratch;
 use super::field::Field;
 use super::params::Dunes;
 use super::protection::Protection;
-use crate::mechanism::wind::Sweep;
+use crate::mechanism::wind::WindScan;
 
 /// How often shelter is found anew in a round.
 const LOOKS_A_ROUND: u64 = 4;
@@ -55,9 +55,9 @@ pub(super) fn find_shelter(
     let n = grid.len();
     scratch.sheltered.resize(n, false);
     let Some(protection) = protection else {
-        let sweep = Sweep::new(grid.shape, grid.spacing, field.is_torus(), towards);
+        let sweep = WindScan::new(grid.shape, grid.spacing, field.is_torus(), towards);
         let surface = field.sand.surface();
-        let fall = field.fall(params.shadow.si(), sweep.pace);
+        let fall = field.fall(params.shadow.si(), sweep.line_spacing);
         scratch.air.resize(n, 0.0);
         sweep.shelter(|i| surface[i] as f32, fall, &mut scratch.lines, &mut scratch.air);
         for i in 0..n {

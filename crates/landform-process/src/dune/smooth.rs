@@ -1,20 +1,20 @@
 //! Diffusion of the sand alone (Pytel 2015, Eq. 4.1), which takes away the grooves that the lattice leaves.
 
-use landform_core::field::names;
+use landform_core::Result;
 use landform_core::terrain::{HeightField, NodeSurface};
 
-use super::field::Field;
+use super::field::{Field, SAND};
 
 /// Largest part of a difference that crosses a face in one round: explicit diffusion is stable below a quarter.
 const MOST: f64 = 0.2;
 
 /// Smooths the surface of the sand over a distance of `cells`; sand is kept, ground stays, sinks take no part.
-pub(super) fn diffuse(terrain: &mut HeightField, field: &Field, cells: f64, torus: bool) {
+pub(super) fn diffuse(terrain: &mut HeightField, field: &Field, cells: f64, torus: bool) -> Result<()> {
     // After n rounds of strength w a point has spread over sqrt(2 n w) cells.
     let rounds = (cells * cells / (2.0 * MOST)).ceil();
     let strength = cells * cells / (2.0 * rounds);
-    let Ok(depth) = terrain.fields().get(&names::SAND_DEPTH, "dunes").map(<[f64]>::to_vec) else { return };
-    let shape = terrain.grid.shape;
+    let Some(depth) = terrain.depth(SAND).map(<[f64]>::to_vec) else { return Ok(()) };
+    let shape = terrain.grid().shape;
     let takes_part = |i: usize| !field.sand.is_sink(i);
     let (mut sand, mut flux) = (depth, vec![0.0; shape.len()]);
     let ground: Vec<f64> = (0..shape.len()).map(|i| terrain.elevation()[i] - sand[i]).collect();
@@ -48,10 +48,5 @@ pub(super) fn diffuse(terrain: &mut HeightField, field: &Field, cells: f64, toru
             sand[i] = (sand[i] + flux[i]).max(0.0);
         }
     }
-    for i in 0..shape.len() {
-        if takes_part(i) {
-            terrain.elevation_mut()[i] = ground[i] + sand[i];
-        }
-    }
-    terrain.fields_mut().insert(&names::SAND_DEPTH, sand);
+    terrain.change_depth(SAND, &sand)
 }

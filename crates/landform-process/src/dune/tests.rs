@@ -4,11 +4,12 @@ use landform_core::analysis::{DuneClass, dunes as measure};
 use landform_core::grid::{Edge, Edges, Grid, Shape};
 use landform_core::math;
 use landform_core::sim::{Simulation, Stop};
+use landform_core::terrain::Layer;
 use landform_core::units::{Angle, Length};
 use landform_core::verb::{Rose, Wind};
 
 use super::*;
-use crate::mechanism::wind::Sweep;
+use crate::mechanism::wind::WindScan;
 
 fn flat(rows: usize, cols: usize) -> HeightField {
     let mut grid = Grid::new(Shape::new(rows, cols), [1.0, 1.0]).unwrap();
@@ -32,7 +33,7 @@ fn werner(sand: f64) -> Dunes {
 
 fn blown(field: HeightField, params: &Dunes, rounds: u64, seed: u64) -> HeightField {
     let mut simulation = Simulation::new(field)
-        .process(Dunes { steps: rounds, ..params.clone() })
+        .process(Dunes { iterations: rounds, ..params.clone() })
         .unwrap()
         .dt(1e12)
         .until(Stop::steps(rounds + params.fine_rounds()))
@@ -43,7 +44,7 @@ fn blown(field: HeightField, params: &Dunes, rounds: u64, seed: u64) -> HeightFi
 }
 
 fn sand(field: &HeightField) -> Vec<f64> {
-    field.fields().get(&names::SAND_DEPTH, "test").unwrap().to_vec()
+    field.depth("sand").unwrap().to_vec()
 }
 
 fn west() -> Rose {
@@ -51,7 +52,7 @@ fn west() -> Rose {
 }
 
 fn measured(field: &HeightField, rose: &Rose) -> landform_core::analysis::Dunes {
-    measure(&field.grid, field.elevation(), &sand(field), rose, f64::to_radians(33.0), true)
+    measure(field.grid(), field.elevation(), &sand(field), rose, f64::to_radians(33.0), true)
 }
 
 #[test]
@@ -110,14 +111,13 @@ fn pile(rows: usize, cols: usize, slabs: f64) -> HeightField {
             ((slabs * (1.0 - math::hypot(r, c) / radius)).max(0.0).round()) / 3.0
         })
         .collect();
-    field.elevation_mut().copy_from_slice(&heap);
-    field.fields_mut().insert(&names::SAND_DEPTH, heap);
+    field.change_depth("sand", &heap).unwrap();
     field
 }
 
 /// Height (slabs), width (cells) and place downwind (cells, on the circle) of the one dune of a field.
 fn barchan(field: &HeightField) -> (f64, f64, f64) {
-    let Shape { rows, cols } = field.grid.shape;
+    let Shape { rows, cols } = field.grid().shape;
     let d = sand(field);
     let height = d.iter().copied().fold(0.0, f64::max) * 3.0;
     // The body, without slabs on their way.
@@ -237,11 +237,11 @@ fn the_wind_may_blow_from_anywhere() {
 fn kohs_wind_keeps_to_its_rules() {
     // DU12.
     let shape = Shape::new(40, 60);
-    let sweep = Sweep::new(shape, [1.0; 2], false, [1.0, 0.0]);
+    let sweep = WindScan::new(shape, [1.0; 2], false, [1.0, 0.0]);
     let mut out = vec![0.0; 2400];
     koh::wind_over(&sweep, |_| 3.0, 1.0, 0.0, &mut out);
     assert!(out.iter().all(|&w| w == 1.0), "uniform over flat ground");
-    let sweep = Sweep::new(shape, [1.0; 2], true, [1.0, 0.0]);
+    let sweep = WindScan::new(shape, [1.0; 2], true, [1.0, 0.0]);
     let wall =
         |whole: bool| move |i: usize| if i % 60 == 20 && (whole || (15..25).contains(&(i / 60))) { 0.5 } else { 0.0 };
     koh::wind_over(&sweep, wall(true), 1.0, 0.0, &mut out);
@@ -271,7 +271,8 @@ fn protection_makes_steeper_dunes_and_agrees_with_shadows() {
     // DU8 and DU9 (table 4.1), from like starts: sites of 15 m, slabs of 5 m, 20 rounds.
     let start = || {
         let mut field = flat(128, 256);
-        field.grid.spacing = [15.0, 15.0];
+        let grid = Grid { spacing: [15.0, 15.0], ..field.grid().clone() };
+        field.set_grid(grid).unwrap();
         field
     };
     let table = |model: Model, hop: f64| Dunes {
@@ -293,7 +294,7 @@ fn protection_makes_steeper_dunes_and_agrees_with_shadows() {
     let error = |f: &HeightField| {
         let shelter = f.fields().get(&names::SHELTER, "test").unwrap();
         landform_core::analysis::shadow_error(
-            &f.grid,
+            f.grid(),
             f.elevation(),
             shelter,
             &rose,
@@ -317,17 +318,20 @@ fn protection_makes_steeper_dunes_and_agrees_with_shadows() {
 #[test]
 fn hard_ground_stays_and_the_sea_swallows() {
     let mut field = flat(60, 60);
-    field.grid.edges = Edges::default();
-    for i in 0..3600 {
-        let (r, c) = (i / 60, i % 60);
-        field.elevation_mut()[i] = if c > 45 {
-            -4.0
-        } else if (25..35).contains(&r) && (20..24).contains(&c) {
-            9.0
-        } else {
-            1.0
-        };
-    }
+    let grid = Grid { edges: Edges::default(), ..field.grid().clone() };
+    field.set_grid(grid).unwrap();
+    field.change(Layer::Bedrock, |z| {
+        for (i, z) in z.iter_mut().enumerate() {
+            let (r, c) = (i / 60, i % 60);
+            *z = if c > 45 {
+                -4.0
+            } else if (25..35).contains(&r) && (20..24).contains(&c) {
+                9.0
+            } else {
+                1.0
+            };
+        }
+    });
     let ground = field.elevation().to_vec();
     let after = blown(field, &Dunes { smoothing: 1.0, borders: Borders::Open, ..werner(2.0) }, 120, 3);
     let d = sand(&after);
@@ -343,12 +347,12 @@ fn hard_ground_stays_and_the_sea_swallows() {
 fn others_take_sand_before_rock_and_two_winds_share_it() {
     // What others lower is sand first.
     let field = blown(flat(20, 20), &werner(2.0), 3, 1);
-    let context = landform_core::verb::Context { seed: Seed(1), maps: &landform_core::verb::NoMaps };
+    let context = landform_core::verb::Context { seed: Seed(1), ..Context::default() };
     let mut lowered = field.clone();
     let mut state = Dunes { sand: Length::of(0.0).into(), ..werner(0.0) }.start(&mut lowered, &context).unwrap();
-    lowered.elevation_mut().iter_mut().for_each(|z| *z -= 0.5);
+    lowered.change(Layer::Surface("sediment"), |z| z.iter_mut().for_each(|z| *z -= 0.5));
     state.field.take_over(&lowered);
-    state.field.write(&mut lowered);
+    state.field.write(&mut lowered).unwrap();
     let (d, z) = (sand(&lowered), lowered.elevation());
     assert!((0..400).all(|i| (z[i] - d[i]).abs() < 0.02 || d[i] == 0.0), "rock stays while there is sand");
     // Two dune processes on one clock keep the ground and the sand.

@@ -1,6 +1,6 @@
 //! Adds to the elevation.
 
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::units::LengthDimension;
 use landform_core::verb::{Context, Edit, Params, Source, Varying};
 use landform_core::{Result, parallel};
@@ -23,7 +23,7 @@ impl Params for Add {
 impl<T: NodeSurface> Edit<T> for Add {
     fn edit(&self, terrain: &mut T, context: &Context) -> Result<()> {
         let rise = self.elevation.resolve("elevation", terrain, context)?;
-        parallel::update(terrain.elevation_mut(), |i, z| *z += rise.at(i));
+        terrain.change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += rise.at(i)));
         Ok(())
     }
 }

@@ -22,7 +22,7 @@ pub struct Derive {
     #[schemars(extend("x-above" = 0.0))]
     pub radius: Length,
     /// exposure: compass direction from which the sun or the wind comes.
-    pub from: Angle,
+    pub light_from: Angle,
     /// exposure: its angle above level.
     #[schemars(extend("x-above" = 0.0, "x-max" = 90.0))]
     pub altitude: Angle,
@@ -55,7 +55,7 @@ impl Default for Derive {
         Self {
             fields: vec![Derived::Slope, Derived::Aspect, Derived::ProfileCurvature, Derived::PlanCurvature],
             radius: Length::of(500.0),
-            from: Angle::of(315.0),
+            light_from: Angle::of(315.0),
             altitude: Angle::of(30.0),
         }
     }
@@ -80,7 +80,7 @@ impl Params for Derive {
 impl Derive {
     /// The key and the values of a field.
     fn field(&self, what: Derived, terrain: &HeightField) -> Result<(&'static Key<f64>, Vec<f64>)> {
-        let (grid, z) = (&terrain.grid, terrain.elevation());
+        let (grid, z) = (terrain.grid(), terrain.elevation());
         let cell = grid.spacing[0].max(grid.spacing[1]);
         let radius = (self.radius.si() / cell).round().max(1.0) as usize;
         Ok(match what {
@@ -95,7 +95,7 @@ impl Derive {
             Derived::PositionIndex => (&names::POSITION_INDEX, position_index(grid.shape, z, radius)),
             Derived::LocalRelief => (&names::LOCAL_RELIEF, local_relief(grid.shape, z, radius)),
             Derived::Exposure => {
-                let dark = shadow(grid, z, self.from.si(), self.altitude.si());
+                let dark = shadow(grid, z, self.light_from.si(), self.altitude.si());
                 let value = |i: usize| if z[i].is_nan() { f64::NAN } else { f64::from(u8::from(!dark[i])) };
                 (&names::EXPOSURE, parallel::map(z.len(), value))
             }
@@ -118,7 +118,7 @@ impl Edit<HeightField> for Derive {
         }
         for &what in &self.fields {
             let (key, values) = self.field(what, terrain)?;
-            terrain.fields.insert(key, values);
+            terrain.fields.insert(key, values)?;
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use landform_core::verb::{Context, Edit, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::leave_drainage;
+use crate::mechanism::write_drainage_fields;
 
 /// Routes water over the ground as it is, lakes through their lowest pass, and leaves the fields drainage_area, lake_depth,
 /// receiver and basin. The elevation stays.
@@ -27,7 +27,6 @@ impl Params for Drainage {
 impl<T: NodeSurface> Edit<T> for Drainage {
     fn edit(&self, terrain: &mut T, _: &Context) -> Result<()> {
         let domain = terrain.domain();
-        leave_drainage(terrain, &domain, &mut Flow::new(), None);
-        Ok(())
+        write_drainage_fields(terrain, &domain, &mut Flow::new(), None)
     }
 }

@@ -2,7 +2,7 @@
 
 use landform_core::Result;
 use landform_core::algo::flow::Flow;
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::verb::{Context, Edit, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,7 +27,7 @@ impl<T: NodeSurface> Edit<T> for FillDepressions {
         let mut amount = vec![0.0; terrain.elevation().len()];
         flow.route(&*terrain.domain(), terrain.elevation(), &mut amount);
         let level = flow.water_level(terrain.elevation());
-        terrain.elevation_mut().copy_from_slice(&level);
+        terrain.change(Layer::Surface("sediment"), |z| z.copy_from_slice(&level));
         Ok(())
     }
 }

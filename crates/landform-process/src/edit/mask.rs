@@ -98,7 +98,7 @@ impl Mask {
 impl Edit<HeightField> for Mask {
     fn edit(&self, terrain: &mut HeightField, context: &Context) -> Result<()> {
         let map = self.map.as_ref().map(|m| m.resolve("map", terrain, context)).transpose()?;
-        let (grid, z) = (&terrain.grid, terrain.elevation());
+        let (grid, z) = (terrain.grid(), terrain.elevation());
         let cell = grid.spacing[0].max(grid.spacing[1]);
         let radius = (self.radius.si() / cell).round().max(1.0) as usize;
         let position = self.position.map(|range| (range.map(Length::si), position_index(grid.shape, z, radius)));
@@ -123,7 +123,7 @@ impl Edit<HeightField> for Mask {
             let chosen = if self.invert { 1.0 - mask } else { mask };
             if z[i].is_nan() { 0.0 } else { chosen }
         });
-        terrain.fields.insert_values(&self.name, Values::F64(values));
+        terrain.fields.insert_values(&self.name, Values::F64(values))?;
         Ok(())
     }
 }
@@ -133,7 +133,6 @@ mod tests {
     use super::*;
     use landform_core::grid::{Grid, Shape};
     use landform_core::random::Seed;
-    use landform_core::verb::NoMaps;
 
     fn masked(json: &str) -> Vec<f64> {
         // A roof: the west side rises eastwards to 500 m, the east side falls again, both at 45 degrees.
@@ -142,8 +141,8 @@ mod tests {
         let mut terrain = HeightField::new(grid, z).unwrap();
         let mask: Mask = serde_json::from_str(json).unwrap();
         mask.validate().unwrap();
-        mask.edit(&mut terrain, &Context { seed: Seed(1), maps: &NoMaps }).unwrap();
-        terrain.fields.by_name("mask", "a test").unwrap()[11..22].to_vec()
+        mask.edit(&mut terrain, &Context { seed: Seed(1), ..Context::default() }).unwrap();
+        terrain.real("mask", "a test").unwrap()[11..22].to_vec()
     }
 
     #[test]

@@ -31,7 +31,7 @@ impl Params for Resample {
 
 impl Edit<HeightField> for Resample {
     fn edit(&self, terrain: &mut HeightField, _: &Context) -> Result<()> {
-        *terrain = resample(terrain, &terrain.grid.with_cell_size(self.cell_size.si())?, self.interpolation)?;
+        *terrain = resample(terrain, &terrain.grid().with_cell_size(self.cell_size.si())?, self.interpolation)?;
         Ok(())
     }
 

@@ -4,13 +4,15 @@ use landform_core::Result;
 use landform_core::algo::flow::Flow;
 use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
-use landform_core::terrain::{HeightField, Mesh, NodeSurface, gaussian_from_mesh, height_field_from_mesh, sea_level};
+use landform_core::terrain::{
+    HeightField, Layer, Mesh, NodeSurface, gaussian_from_mesh, height_field_from_mesh, sea_level,
+};
 use landform_core::units::Length;
 use landform_core::verb::{Convert, Estimate, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::leave_drainage;
+use crate::mechanism::write_drainage_fields;
 
 /// Turns a mesh into a raster; fields come along, linear on every triangle. Drainage area and basins are routed anew, so
 /// that rivers run through the raster's own valleys.
@@ -53,7 +55,7 @@ impl Convert<Mesh, HeightField> for ToHeightField {
         let mut field = height_field_from_mesh(source, self.cell_size.si())?;
         if self.method == Method::Gaussian {
             let smooth = gaussian_from_mesh(source, &field, self.sigma);
-            field.elevation_mut().copy_from_slice(&smooth);
+            field.change(Layer::Bedrock, |z| z.copy_from_slice(&smooth));
             let sea = source.chosen_status().and_then(|status| sea_level(status, source.elevation()));
             if let Some(level) = sea {
                 let status = at_or_under(level, &field);
@@ -63,10 +65,10 @@ impl Convert<Mesh, HeightField> for ToHeightField {
         if field.fields.get(&names::DRAINAGE_AREA, "").is_ok() {
             let depth = field.fields.remove(names::LAKE_DEPTH.name);
             let domain = field.domain();
-            leave_drainage(&mut field, &domain, &mut Flow::new(), None);
+            write_drainage_fields(&mut field, &domain, &mut Flow::new(), None)?;
             // Between nodes there are hollows that the mesh has not.
             if let Some(depth) = depth {
-                field.fields.insert_values(names::LAKE_DEPTH.name, depth);
+                field.fields.insert_values(names::LAKE_DEPTH.name, depth)?;
             }
         }
         Ok(field)

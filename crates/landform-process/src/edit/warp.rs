@@ -2,7 +2,7 @@
 
 use landform_core::algo::noise::fbm;
 use landform_core::field::Values;
-use landform_core::terrain::{HeightField, Interpolation, NodeSurface, sample_by};
+use landform_core::terrain::{HeightField, Interpolation, Layer, NodeSurface, sample_by};
 use landform_core::units::{Length, RatioDimension};
 use landform_core::verb::{Context, Edit, Params, Source, Varying};
 use landform_core::{Result, math, parallel};
@@ -57,7 +57,7 @@ impl Edit<HeightField> for Warp {
         let (amplitude, wave) = (self.amplitude.si(), self.wavelength.si());
         let gain = math::pow(2.0, -self.hurst);
         let [lo, hi] = terrain.bounds();
-        let grid = terrain.grid.clone();
+        let grid = terrain.grid().clone();
         let from: Vec<[f64; 2]> = parallel::map(grid.len(), |i| {
             let p = grid.position(i);
             [0, 1].map(|k| {
@@ -73,17 +73,20 @@ impl Edit<HeightField> for Warp {
             })
         };
         let elevation = moved(terrain.elevation(), Interpolation::Cubic);
-        terrain.elevation_mut().copy_from_slice(&elevation);
+        let layers = terrain.layers().map(|l| l.mapped(|values| moved(values, Interpolation::Linear)));
+        terrain.set_layers(None);
+        terrain.change(Layer::Bedrock, |z| z.copy_from_slice(&elevation));
+        terrain.set_layers(layers);
         let fields: Vec<(String, Vec<f64>)> = terrain
             .fields
             .iter()
             .filter_map(|(name, values)| match values {
                 Values::F64(v) => Some((name.to_string(), moved(v, Interpolation::Linear))),
-                Values::U32(_) => None,
+                _ => None,
             })
             .collect();
         for (name, values) in fields {
-            terrain.fields.insert_values(&name, Values::F64(values));
+            terrain.fields.insert_values(&name, Values::F64(values))?;
         }
         Ok(())
     }
@@ -104,7 +107,6 @@ mod tests {
     use super::*;
     use landform_core::grid::{Grid, Shape};
     use landform_core::random::Seed;
-    use landform_core::verb::NoMaps;
 
     #[test]
     fn a_straight_ridge_winds_and_keeps_its_height() {
@@ -112,7 +114,7 @@ mod tests {
         let ridge = |i: usize| 100.0 - (grid.position(i)[0] - 500.0).abs() / 10.0;
         let mut terrain = HeightField::new(grid.clone(), (0..grid.len()).map(ridge).collect()).unwrap();
         let warp = Warp { amplitude: Length::of(100.0), wavelength: Length::of(400.0), ..Warp::default() };
-        warp.edit(&mut terrain, &Context { seed: Seed(4), maps: &NoMaps }).unwrap();
+        warp.edit(&mut terrain, &Context { seed: Seed(4), ..Context::default() }).unwrap();
         let z = terrain.elevation();
         let crest: Vec<usize> =
             (0..101).map(|r| (0..101).max_by(|&a, &b| z[r * 101 + a].total_cmp(&z[r * 101 + b])).unwrap()).collect();
@@ -121,7 +123,7 @@ mod tests {
         assert!(z.iter().all(|v| v.is_finite()) && (0..101).all(|r| z[r * 101 + crest[r]] > 98.0));
         let still = Warp { amplitude: Length::of(0.0), ..warp };
         let before = z.to_vec();
-        still.edit(&mut terrain, &Context { seed: Seed(4), maps: &NoMaps }).unwrap();
+        still.edit(&mut terrain, &Context { seed: Seed(4), ..Context::default() }).unwrap();
         assert!(terrain.elevation().iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-9));
     }
 }

@@ -1,21 +1,23 @@
 //! One surface on another.
 
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::grid::Grid;
+use landform_core::terrain::{HeightField, NodeSurface, Visit};
 use landform_core::units::{Length, Ratio, RatioDimension};
 use landform_core::verb::{Context, Edit, Params, Source, Varying};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Faulting, Flat, MidpointDisplacement, Noise, OnGrid, Shape, SpectralFbm, Surface};
+use super::{Faulting, Flat, GridParams, MidpointDisplacement, Noise, OnGrid, Shape, SpectralFbm, Surface};
 
-/// Puts another surface on the ground: any of the generators on the landscape's own raster, added, or higher or lower of the two,
-/// everywhere or where a mask says.
+/// Puts another surface on the ground: another landscape of the recipe (`with = ["label"]`) or any of the generators on the
+/// landscape's own raster; added, or the higher or lower of the two; everywhere or where a mask says. Where the other landscape has no
+/// ground, this one stays as it is.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Blend {
-    /// The other surface: a generator (`use`) and its parameters, without size and cell_size.
-    pub layer: Layer,
+    /// The other surface: a generator (`use`) and its parameters, without a grid. Noise, if nothing is given, not even `with`.
+    pub layer: Option<Layer>,
     /// How the two are put together.
     pub mode: BlendMode,
     /// How much of it, 0 (the ground as it was) to 1; may vary in space: a mask.
@@ -65,12 +67,7 @@ pub enum BlendMode {
 
 impl Default for Blend {
     fn default() -> Self {
-        Self {
-            layer: Layer::Noise(Noise::default()),
-            mode: BlendMode::Add,
-            amount: Ratio::of(1.0).into(),
-            softness: Length::of(0.0),
-        }
+        Self { layer: None, mode: BlendMode::Add, amount: Ratio::of(1.0).into(), softness: Length::of(0.0) }
     }
 }
 
@@ -90,24 +87,24 @@ impl Layer {
 
 /// What [`Blend`] asks of a generator.
 trait LayerGenerator {
-    fn on(&self, grid: &landform_core::grid::Grid, context: &Context) -> Result<Vec<f64>>;
+    fn on(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>>;
     fn check_layer(&self) -> Result<()>;
 }
 
 impl<P: OnGrid> LayerGenerator for P {
-    fn on(&self, grid: &landform_core::grid::Grid, context: &Context) -> Result<Vec<f64>> {
+    fn on(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
         self.elevations(grid, context)
     }
 
     fn check_layer(&self) -> Result<()> {
         self.validate()?;
-        if self.frame() != P::default().frame() {
-            let (size, cell) = self.frame();
-            let value = format!("size {} x {}, cell_size {cell}", size[0], size[1]);
+        if *self.grid() != *P::default().grid() {
+            let GridParams { size, cell_size } = self.grid();
+            let value = format!("size {} x {}, cell_size {cell_size}", size[0], size[1]);
             return Err(Error::parameter(
                 "layer",
                 value,
-                "a generator without size and cell_size: it takes the landscape's own raster",
+                "a generator without a grid: it takes the landscape's own raster",
             ));
         }
         Ok(())
@@ -117,19 +114,48 @@ impl<P: OnGrid> LayerGenerator for P {
 impl Params for Blend {
     const NAME: &'static str = "blend";
     const SOURCES: &'static [Source] = &[];
+    const WITH: bool = true;
 
     fn check(&self) -> Result<()> {
-        self.layer.generator().check_layer()
+        self.layer.as_ref().map_or(Ok(()), |layer| layer.generator().check_layer())
+    }
+}
+
+impl Blend {
+    /// The other surface on the nodes of a raster; NaN where it has no ground.
+    fn other(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
+        match (&self.layer, context.with) {
+            (Some(layer), []) => layer.generator().on(grid, context),
+            (None, []) => Noise::default().elevations(grid, context),
+            (None, [(_, landscape)]) => landscape.visit(OnNodes(grid)),
+            (Some(_), _) => Err(Error::parameter("layer", "a generator", "no layer where `with` names a landscape")),
+            (None, many) => Err(Error::parameter("with", many.len(), "one landscape")),
+        }
+    }
+}
+
+/// Elevation of a landscape on the nodes of a raster, m.
+struct OnNodes<'a>(&'a Grid);
+
+impl Visit for OnNodes<'_> {
+    type Out = Result<Vec<f64>>;
+
+    fn visit<T: landform_core::terrain::Surface>(self, terrain: &T) -> Self::Out {
+        let raster = terrain.rasterized()?;
+        Ok(parallel::map(self.0.shape.len(), |i| raster.elevation_at(self.0.position(i))))
     }
 }
 
 impl Edit<HeightField> for Blend {
     fn edit(&self, terrain: &mut HeightField, context: &Context) -> Result<()> {
         let amount = self.amount.resolve("amount", terrain, context)?;
-        let layer = self.layer.generator().on(&terrain.grid, context)?;
+        let layer = self.other(terrain.grid(), context)?;
         let (mode, softness) = (self.mode, self.softness.si());
-        parallel::update(terrain.elevation_mut(), |i, z| {
+        let blend = |i: usize, z: &mut f64| {
             let b = layer[i];
+            if b.is_nan() {
+                return;
+            }
             let whole = match mode {
                 BlendMode::Add => *z + b,
                 BlendMode::Subtract => *z - b,
@@ -138,7 +164,8 @@ impl Edit<HeightField> for Blend {
                 BlendMode::Lower => lower(*z, b, softness),
             };
             *z = math::lerp(*z, whole, amount.at(i).clamp(0.0, 1.0));
-        });
+        };
+        terrain.change(landform_core::terrain::Layer::Bedrock, |z| parallel::update(z, blend));
         Ok(())
     }
 }
@@ -153,16 +180,16 @@ fn lower(a: f64, b: f64, softness: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use landform_core::grid::{Grid, Shape as GridShape};
+    use landform_core::grid::Shape as GridShape;
     use landform_core::random::Seed;
-    use landform_core::verb::NoMaps;
+    use landform_core::terrain::Held;
 
     fn blended(json: &str) -> Vec<f64> {
         let grid = Grid::new(GridShape::new(5, 5), [10.0, 10.0]).unwrap();
         let mut terrain = HeightField::new(grid, (0..25).map(f64::from).collect()).unwrap();
         let blend: Blend = serde_json::from_str(json).unwrap();
         blend.validate().unwrap();
-        blend.edit(&mut terrain, &Context { seed: Seed(1), maps: &NoMaps }).unwrap();
+        blend.edit(&mut terrain, &Context { seed: Seed(1), ..Context::default() }).unwrap();
         terrain.elevation().to_vec()
     }
 
@@ -182,8 +209,24 @@ mod tests {
     }
 
     #[test]
+    fn another_landscape_is_laid_over_the_ground_where_it_has_ground() {
+        let grid = Grid::new(GridShape::new(5, 5), [10.0, 10.0]).unwrap();
+        let mut terrain = HeightField::new(grid, vec![1.0; 25]).unwrap();
+        let small = Grid::new(GridShape::new(3, 3), [10.0, 10.0]).unwrap();
+        let other = std::sync::Arc::new(HeightField::new(small, vec![7.0; 9]).unwrap().wrap());
+        let with = [("hill".to_string(), other)];
+        let context = Context { with: &with, ..Context::default() };
+        let blend = Blend { mode: BlendMode::Higher, ..Blend::default() };
+        blend.edit(&mut terrain, &context).unwrap();
+        let high = terrain.elevation().iter().filter(|&&z| z == 7.0).count();
+        assert_eq!((high, terrain.elevation().iter().sum::<f64>()), (9, 9.0 * 7.0 + 16.0));
+        let both = Blend { layer: Some(Layer::Noise(Noise::default())), ..blend };
+        assert!(both.edit(&mut terrain, &context).unwrap_err().to_string().contains("layer"));
+    }
+
+    #[test]
     fn a_layer_of_its_own_size_is_refused() {
-        let blend: Blend = serde_json::from_str(r#"{"layer":{"use":"noise","cell_size":"3 m"}}"#).unwrap();
+        let blend: Blend = serde_json::from_str(r#"{"layer":{"use":"noise","grid":{"cell_size":"3 m"}}}"#).unwrap();
         assert!(blend.check().unwrap_err().to_string().contains("landscape's own raster"));
         assert!(serde_json::from_str::<Blend>(r#"{"layer":{"use":"noise","wavelenth":"3 m"}}"#).is_err());
     }

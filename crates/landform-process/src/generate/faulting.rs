@@ -8,18 +8,14 @@ use landform_core::{Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid, generator_on_grid};
 
 /// Ground broken by straight faults, each lifting one side: many make Brownian ground (H = 1/2), few make blocks.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Faulting {
-    /// Extent east and north.
-    #[schemars(extend("x-above" = 0.0))]
-    pub size: [Length; 2],
-    /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
-    pub cell_size: Length,
+    /// Extent and distance between nodes.
+    pub grid: GridParams,
     /// Mean elevation.
     pub elevation: Length,
     /// Standard deviation of the elevation.
@@ -36,8 +32,7 @@ pub struct Faulting {
 impl Default for Faulting {
     fn default() -> Self {
         Self {
-            size: [Length::of(10_240.0); 2],
-            cell_size: Length::of(10.0),
+            grid: GridParams::default(),
             elevation: Length::of(0.0),
             deviation: Length::of(200.0),
             faults: 1_000,
@@ -48,6 +43,7 @@ impl Default for Faulting {
 
 impl Params for Faulting {
     const NAME: &'static str = "faulting";
+    const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[Source {
         authors: "Mandelbrot (1975)",
         title: "Stochastic models for the Earth's relief, the shape and the fractal dimension of the coastlines, and the number-area rule for islands, PNAS 72(10)",
@@ -56,8 +52,8 @@ impl Params for Faulting {
 }
 
 impl OnGrid for Faulting {
-    fn frame(&self) -> ([Length; 2], Length) {
-        (self.size, self.cell_size)
+    fn grid(&self) -> &GridParams {
+        &self.grid
     }
 
     fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {

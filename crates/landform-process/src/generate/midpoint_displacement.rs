@@ -8,18 +8,14 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid, generator_on_grid};
 
 /// Fractal ground by random midpoint displacement: a few coarse heights, refined again and again with ever smaller offsets.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MidpointDisplacement {
-    /// Extent east and north.
-    #[schemars(extend("x-above" = 0.0))]
-    pub size: [Length; 2],
-    /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
-    pub cell_size: Length,
+    /// Extent and distance between nodes.
+    pub grid: GridParams,
     /// Elevation that is added everywhere.
     pub elevation: Length,
     /// How the lattice is refined.
@@ -41,8 +37,7 @@ pub struct MidpointDisplacement {
 impl Default for MidpointDisplacement {
     fn default() -> Self {
         Self {
-            size: [Length::of(10_240.0); 2],
-            cell_size: Length::of(10.0),
+            grid: GridParams::default(),
             elevation: Length::of(0.0),
             subdivision: Subdivision::FourEight,
             coarse: vec![vec![Length::of(0.0); 2]; 2],
@@ -55,6 +50,7 @@ impl Default for MidpointDisplacement {
 
 impl Params for MidpointDisplacement {
     const NAME: &'static str = "midpoint_displacement";
+    const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Fournier, Fussell & Carpenter (1982)",
@@ -105,8 +101,8 @@ impl MidpointDisplacement {
 }
 
 impl OnGrid for MidpointDisplacement {
-    fn frame(&self) -> ([Length; 2], Length) {
-        (self.size, self.cell_size)
+    fn grid(&self) -> &GridParams {
+        &self.grid
     }
 
     fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
@@ -144,13 +140,13 @@ mod tests {
     use super::*;
     use landform_core::random::Seed;
     use landform_core::terrain::NodeSurface;
-    use landform_core::verb::{Generator, NoMaps};
+    use landform_core::verb::Generator;
 
     #[test]
     fn coarse_heights_are_where_they_were_put() {
         let h = |v: f64| Length::of(v);
         let params = MidpointDisplacement {
-            size: [h(160.0), h(160.0)],
+            grid: GridParams::of([160.0; 2], 10.0),
             subdivision: Subdivision::DiamondSquare,
             coarse: vec![vec![h(0.0); 3], vec![h(0.0), h(500.0), h(0.0)], vec![h(7.0); 3]],
             elevation: h(100.0),
@@ -158,12 +154,12 @@ mod tests {
             ..MidpointDisplacement::default()
         };
         params.check().unwrap();
-        let field = params.generate(&Context { seed: Seed(1), maps: &NoMaps }).unwrap();
+        let field = params.generate(&Context { seed: Seed(1), ..Context::default() }).unwrap();
         let z = field.elevation();
         assert_eq!((z[8 * 17 + 8], z[0], z[16 * 17 + 16]), (600.0, 100.0, 107.0));
         let ragged = MidpointDisplacement { coarse: vec![vec![h(0.0); 3], vec![h(0.0)]], ..params.clone() };
         assert!(ragged.check().is_err());
         let far = MidpointDisplacement { coarse: vec![vec![h(0.0); 400], vec![h(0.0); 400]], ..params };
-        assert!(far.generate(&Context { seed: Seed(1), maps: &NoMaps }).is_err());
+        assert!(far.generate(&Context { seed: Seed(1), ..Context::default() }).is_err());
     }
 }

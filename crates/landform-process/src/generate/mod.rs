@@ -3,6 +3,7 @@
 mod blend;
 mod faulting;
 mod flat;
+mod layered_ground;
 mod midpoint_displacement;
 mod noise;
 mod shape;
@@ -10,9 +11,11 @@ mod spectral_fbm;
 mod stream_graph;
 mod surface;
 
+pub use crate::mechanism::GridParams;
 pub use blend::{Blend, BlendMode, Layer};
 pub use faulting::Faulting;
 pub use flat::Flat;
+pub use layered_ground::{BedParams, LayeredGround, LooseParams};
 pub use midpoint_displacement::MidpointDisplacement;
 pub use noise::Noise;
 pub use shape::{Form, Shape};
@@ -22,14 +25,27 @@ pub use surface::Surface;
 
 use landform_core::Result;
 use landform_core::grid::Grid;
-use landform_core::terrain::HeightField;
+use landform_core::terrain::{HeightField, Mesh};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Estimate, Params};
+
+landform_core::stages! {
+    generate StreamGraph => Mesh;
+    generate Faulting => HeightField;
+    generate Flat => HeightField;
+    generate LayeredGround => HeightField;
+    generate MidpointDisplacement => HeightField;
+    generate Noise => HeightField;
+    generate Shape => HeightField;
+    generate SpectralFbm => HeightField;
+    generate Surface => HeightField;
+    edit Blend where HeightField;
+}
 
 /// A generator that can make its surface on any grid: as ground of its own, or as a layer of [`Blend`].
 pub(crate) trait OnGrid: Params {
     /// Extent and distance between nodes when it stands alone.
-    fn frame(&self) -> ([Length; 2], Length);
+    fn grid(&self) -> &GridParams;
 
     /// Elevations on a grid, m.
     fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>>;
@@ -42,17 +58,16 @@ pub(crate) trait OnGrid: Params {
 
 /// The surface of a generator on its own grid.
 fn alone(generator: &impl OnGrid, context: &Context) -> Result<HeightField> {
-    let (size, cell_size) = generator.frame();
-    let grid = raster(size, cell_size)?;
+    let grid = generator.grid().grid()?;
     let elevations = generator.elevations(&grid, context)?;
     HeightField::new(grid, elevations)
 }
 
 /// What it needs.
 fn alone_estimate(generator: &impl OnGrid) -> Result<Estimate> {
-    let (size, cell_size) = generator.frame();
-    let nodes = raster(size, cell_size)?.len() as u64;
-    Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent: size.map(Length::si) })
+    let nodes = generator.grid().grid()?.len() as u64;
+    let extent = generator.grid().size.map(Length::si);
+    Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent })
 }
 
 /// Implements `Generator<HeightField>` by [`OnGrid`].
@@ -76,8 +91,3 @@ macro_rules! generator_on_grid {
     };
 }
 use generator_on_grid;
-
-/// Raster of a generator: `size` (east, north) in cells of `cell_size`.
-fn raster(size: [Length; 2], cell_size: Length) -> Result<Grid> {
-    Grid::covering(size.map(Length::si), cell_size.si())
-}

@@ -8,18 +8,14 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid, generator_on_grid};
 
 /// Ground from octaves of noise. Waves are in metres: a finer cell adds detail and moves nothing.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Noise {
-    /// Extent east and north.
-    #[schemars(extend("x-above" = 0.0))]
-    pub size: [Length; 2],
-    /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
-    pub cell_size: Length,
+    /// Extent and distance between nodes.
+    pub grid: GridParams,
     /// Elevation that noise of 0 stands for: the mean of plain sums.
     pub elevation: Length,
     /// Height above it that noise of 1 stands for. Plain sums rarely reach half of it; billows lie below, ridges above, multifractals may go beyond.
@@ -49,8 +45,7 @@ pub struct Noise {
 impl Default for Noise {
     fn default() -> Self {
         Self {
-            size: [Length::of(10_240.0); 2],
-            cell_size: Length::of(10.0),
+            grid: GridParams::default(),
             elevation: Length::of(0.0),
             amplitude: Length::of(300.0),
             wavelength: Length::of(5_000.0),
@@ -66,6 +61,7 @@ impl Default for Noise {
 
 impl Params for Noise {
     const NAME: &'static str = "noise";
+    const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Perlin (2002)",
@@ -81,8 +77,8 @@ impl Params for Noise {
 }
 
 impl OnGrid for Noise {
-    fn frame(&self) -> ([Length; 2], Length) {
-        (self.size, self.cell_size)
+    fn grid(&self) -> &GridParams {
+        &self.grid
     }
 
     fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {

@@ -7,18 +7,14 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid, generator_on_grid};
 
 /// A simple shape between two elevations: initial ground, or a pattern for other stages.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Shape {
-    /// Extent east and north.
-    #[schemars(extend("x-above" = 0.0))]
-    pub size: [Length; 2],
-    /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
-    pub cell_size: Length,
+    /// Extent and distance between nodes.
+    pub grid: GridParams,
     /// Which shape.
     pub form: Form,
     /// Lowest elevation.
@@ -59,8 +55,7 @@ pub enum Form {
 impl Default for Shape {
     fn default() -> Self {
         Self {
-            size: [Length::of(10_240.0); 2],
-            cell_size: Length::of(10.0),
+            grid: GridParams::default(),
             form: Form::Ramp,
             low: Length::of(0.0),
             high: Length::of(1_000.0),
@@ -73,6 +68,7 @@ impl Default for Shape {
 
 impl Params for Shape {
     const NAME: &'static str = "shape";
+    const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[];
 }
 
@@ -102,8 +98,8 @@ impl Shape {
 }
 
 impl OnGrid for Shape {
-    fn frame(&self) -> ([Length; 2], Length) {
-        (self.size, self.cell_size)
+    fn grid(&self) -> &GridParams {
+        &self.grid
     }
 
     fn elevations(&self, grid: &Grid, _: &Context) -> Result<Vec<f64>> {
@@ -134,11 +130,11 @@ mod tests {
     use super::*;
     use landform_core::random::Seed;
     use landform_core::terrain::NodeSurface;
-    use landform_core::verb::{Generator, NoMaps};
+    use landform_core::verb::Generator;
 
     fn make(form: Form, direction: f64) -> Vec<f64> {
         let shape = Shape {
-            size: [Length::of(100.0), Length::of(100.0)],
+            grid: GridParams::of([100.0; 2], 10.0),
             form,
             direction: Angle::from_si(direction.to_radians()),
             wavelength: Length::of(50.0),
@@ -146,7 +142,7 @@ mod tests {
             high: Length::of(110.0),
             ..Shape::default()
         };
-        shape.generate(&Context { seed: Seed(1), maps: &NoMaps }).unwrap().elevation().to_vec()
+        shape.generate(&Context { seed: Seed(1), ..Context::default() }).unwrap().elevation().to_vec()
     }
 
     #[test]

@@ -11,18 +11,14 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{OnGrid, generator_on_grid, raster};
+use super::{GridParams, OnGrid, generator_on_grid};
 
 /// Fractional Brownian ground: rough at every scale, without rivers.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SpectralFbm {
-    /// Extent east and north.
-    #[schemars(extend("x-above" = 0.0))]
-    pub size: [Length; 2],
-    /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
-    pub cell_size: Length,
+    /// Extent and distance between nodes.
+    pub grid: GridParams,
     /// Mean elevation.
     pub elevation: Length,
     /// Standard deviation of the elevation.
@@ -38,8 +34,7 @@ pub struct SpectralFbm {
 impl Default for SpectralFbm {
     fn default() -> Self {
         Self {
-            size: [Length::of(10_240.0); 2],
-            cell_size: Length::of(10.0),
+            grid: GridParams::default(),
             elevation: Length::of(0.0),
             deviation: Length::of(200.0),
             hurst: 0.8,
@@ -50,6 +45,7 @@ impl Default for SpectralFbm {
 
 impl Params for SpectralFbm {
     const NAME: &'static str = "spectral_fbm";
+    const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[Source {
         authors: "Saupe (1988)",
         title: "Algorithms for random fractals, in: The Science of Fractal Images, Springer",
@@ -66,15 +62,15 @@ impl SpectralFbm {
         let shape = if self.periodic { grid.shape } else { surroundings(grid.shape, grid.spacing) };
         if shape.rows.max(shape.cols) > MOST_TRANSFORM {
             let expected = format!("at most {} cells along a side", MOST_TRANSFORM / 2);
-            return Err(Error::parameter("cell_size", self.cell_size, &expected));
+            return Err(Error::parameter("grid.cell_size", self.grid.cell_size, &expected));
         }
         Ok(shape)
     }
 }
 
 impl OnGrid for SpectralFbm {
-    fn frame(&self) -> ([Length; 2], Length) {
-        (self.size, self.cell_size)
+    fn grid(&self) -> &GridParams {
+        &self.grid
     }
 
     fn elevations(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>> {
@@ -90,7 +86,7 @@ impl OnGrid for SpectralFbm {
     }
 
     fn scratch(&self, nodes: u64) -> u64 {
-        let transform = raster(self.size, self.cell_size).and_then(|g| self.transform(&g));
+        let transform = self.grid.grid().and_then(|g| self.transform(&g));
         if self.periodic { 24 * nodes } else { 24 * transform.map_or(0, |t| t.len() as u64) }
     }
 }
@@ -118,15 +114,10 @@ mod tests {
     #[test]
     fn a_periodic_surface_tiles() {
         use landform_core::terrain::NodeSurface;
-        use landform_core::verb::NoMaps;
-        let params = SpectralFbm {
-            size: [Length::of(700.0), Length::of(300.0)],
-            cell_size: Length::of(10.0),
-            periodic: true,
-            ..SpectralFbm::default()
-        };
-        let field = params.generate(&Context { seed: Seed(2), maps: &NoMaps }).unwrap();
-        let (z, shape) = (field.elevation(), field.grid.shape);
+        let params =
+            SpectralFbm { grid: GridParams::of([700.0, 300.0], 10.0), periodic: true, ..SpectralFbm::default() };
+        let field = params.generate(&Context { seed: Seed(2), ..Context::default() }).unwrap();
+        let (z, shape) = (field.elevation(), field.grid().shape);
         assert_eq!((shape.rows, shape.cols), (31, 71));
         assert!((0..31).all(|r| z[shape.index(r, 0)] == z[shape.index(r, 70)]));
         assert!((0..71).all(|c| z[c] == z[shape.index(30, c)]));
@@ -135,13 +126,12 @@ mod tests {
     #[test]
     fn deviation_and_mean_are_those_asked_for() {
         use landform_core::terrain::NodeSurface;
-        use landform_core::verb::NoMaps;
         let params = SpectralFbm {
-            size: [Length::of(900.0), Length::of(500.0)],
+            grid: GridParams::of([900.0, 500.0], 10.0),
             elevation: Length::of(40.0),
             ..SpectralFbm::default()
         };
-        let field = params.generate(&Context { seed: Seed(2), maps: &NoMaps }).unwrap();
+        let field = params.generate(&Context { seed: Seed(2), ..Context::default() }).unwrap();
         let z = field.elevation();
         let mean = z.iter().sum::<f64>() / z.len() as f64;
         let variance = z.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / z.len() as f64;

@@ -6,7 +6,7 @@
 
 use landform_core::algo::sampling::{poisson_disk, spacing_for_count};
 use landform_core::grid::{Edge, Edges, Side};
-use landform_core::terrain::{Mesh, NodeSurface};
+use landform_core::terrain::{Layer, Mesh, NodeSurface};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Estimate, Generator, Params, Source};
 use landform_core::{Error, Result};
@@ -87,10 +87,12 @@ impl Generator<Mesh> for StreamGraph {
         let domain = mesh.domain();
         let status = landform_core::grid::Domain::status(&*domain);
         let jitter = context.seed.named("roughness");
-        for (i, z) in mesh.elevation_mut().iter_mut().enumerate() {
-            let inner = status[i] == landform_core::grid::INTERIOR;
-            *z = self.elevation.si() + if inner { self.roughness.si() * jitter.uniform(i as u64) } else { 0.0 };
-        }
+        mesh.change(Layer::Bedrock, |z| {
+            for (i, z) in z.iter_mut().enumerate() {
+                let inner = status[i] == landform_core::grid::INTERIOR;
+                *z = self.elevation.si() + if inner { self.roughness.si() * jitter.uniform(i as u64) } else { 0.0 };
+            }
+        });
         Ok(mesh)
     }
 

@@ -12,7 +12,7 @@
 //! D Δt is below a cell's area, growing with the square root of D Δt over it.
 //!
 //! # Limits
-//! On a mesh faces of obtuse border triangles are dropped where their conductance is negative.
+//! All ground creeps alike, rock too; what is laid down on layered ground is soil. On a mesh faces of obtuse border triangles are dropped where their conductance is negative.
 //!
 //! # Sources
 //! Culling (1960); Hestenes & Stiefel (1952).
@@ -21,7 +21,7 @@
 //! `tests`: the parabola of uplift and creep (VP5), decay of a sine, mass, mesh against raster.
 
 use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::units::{Diffusivity, DiffusivityDimension};
 use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
 use landform_core::{Error, Result, parallel};
@@ -35,7 +35,7 @@ const MOST_ITERATIONS: usize = 20_000;
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LinearDiffusion {
-    /// Diffusivity D of the soil; may vary in space.
+    /// Diffusivity D of the soil; may vary in space or change in time.
     #[schemars(extend("x-min" = 0.0))]
     pub diffusivity: Varying<DiffusivityDimension>,
 }
@@ -48,6 +48,7 @@ impl Default for LinearDiffusion {
 
 impl Params for LinearDiffusion {
     const NAME: &'static str = "linear_diffusion";
+    const IN_TIME: &'static [&'static str] = &["diffusivity"];
     const SOURCES: &'static [Source] = &[Source {
         authors: "Culling (1960)",
         title: "Analytical theory of erosion, Journal of Geology 68(3)",
@@ -87,12 +88,14 @@ impl<T: NodeSurface> Process<T> for LinearDiffusion {
     }
 
     fn step(&self, terrain: &mut T, state: &mut State, at: &Step) -> Result<Change> {
+        if let Some(now) = self.diffusivity.in_time(at.time, at.time + at.dt) {
+            *state = State { diffusivity: Resolved::Uniform(now), system: None };
+        }
         let system = state.system.get_or_insert_with(|| System::new(&*terrain.domain(), &state.diffusivity));
         let rise = system.implicit_rise(terrain.elevation(), at)?;
-        let z = terrain.elevation_mut();
-        parallel::update(z, |i, v| *v += rise[i]);
+        terrain.change(Layer::Surface("soil"), |z| parallel::update(z, |i, v| *v += rise[i]));
         let volume = |up: f64| parallel::sum(rise.len(), |i| (up * rise[i]).max(0.0) * system.area[i]);
-        let exported = system.outflow(z) * at.dt;
+        let exported = system.outflow(terrain.elevation()) * at.dt;
         Ok(Change { eroded: volume(-1.0), deposited: volume(1.0), exported, ..Change::default() })
     }
 }

@@ -5,7 +5,7 @@
 //! neighbours, with c = 1/8 a round, so that it never overshoots.
 //!
 //! # Method
-//! All neighbours at once; what one node loses is what another gains. **Cost** 20 ns a node and round.
+//! All neighbours at once; what one node loses is what another gains. What comes to rest on layered ground is gravel. **Cost** 20 ns a node and round.
 //!
 //! # Sources
 //! Musgrave, Kolb & Mace (1989), thermal weathering.
@@ -14,7 +14,7 @@
 //! `tests`: mass, a heap that comes to rest at the angle.
 
 use landform_core::grid::{BASE_LEVEL, Domain, MASKED};
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::units::{Angle, AngleDimension, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Params, Process, Resolved, Source, Step, Varying};
 use landform_core::{Error, Result, math, parallel};
@@ -23,6 +23,8 @@ use serde::{Deserialize, Serialize};
 
 /// Part of the excess that moves over a link in a round.
 const PART: f64 = 0.125;
+/// Talus angle where nothing is said, deg.
+const USUAL_ANGLE: f64 = 34.0;
 /// 85 degrees.
 const STEEPEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
 
@@ -31,9 +33,10 @@ const STEEPEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ThermalErosion {
-    /// Steepest slope that the ground stands at; may vary in space.
+    /// Steepest slope that the ground stands at; may vary in space. If not given, the angle of repose of what lies uppermost on
+    /// layered ground, and 34 deg on other ground.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
-    pub talus_angle: Varying<AngleDimension>,
+    pub talus_angle: Option<Varying<AngleDimension>>,
     /// Rounds of slip, where there is no clock.
     #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
     pub iterations: u64,
@@ -41,7 +44,7 @@ pub struct ThermalErosion {
 
 impl Default for ThermalErosion {
     fn default() -> Self {
-        Self { talus_angle: Angle::of(34.0).into(), iterations: 200 }
+        Self { talus_angle: None, iterations: 200 }
     }
 }
 
@@ -54,10 +57,10 @@ impl Params for ThermalErosion {
     }];
 }
 
-/// The angle on the nodes.
+/// The angle on the nodes; none if materials have their own.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
-    angle: Resolved,
+    angle: Option<Resolved>,
 }
 
 impl<T: NodeSurface> Process<T> for ThermalErosion {
@@ -69,20 +72,29 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
     }
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
-        let angle = self.talus_angle.resolve("talus_angle", terrain, context)?;
+        let given = || Angle::of(USUAL_ANGLE).into();
+        let angle = match (&self.talus_angle, terrain.layers()) {
+            (None, Some(_)) => return Ok(State { angle: None }),
+            (angle, _) => angle.clone().unwrap_or_else(given).resolve("talus_angle", terrain, context)?,
+        };
         let z = terrain.elevation();
         let is_wrong = |i: usize| !(z[i].is_nan() || angle.at(i) > 0.0 && angle.at(i) <= STEEPEST);
         if let Some(i) = parallel::find_first(z.len(), is_wrong) {
             return Err(Error::parameter("talus_angle", format!("out of range at node {i}"), "0 to 85 deg everywhere"));
         }
-        Ok(State { angle })
+        Ok(State { angle: Some(angle) })
     }
 
     fn step(&self, terrain: &mut T, state: &mut State, _: &Step) -> Result<Change> {
         let domain = terrain.domain();
         let status = domain.status();
         let z = terrain.elevation();
-        let steepest = parallel::map(z.len(), |i| math::tan(state.angle.at(i)));
+        let angle = |i: usize| match (&state.angle, terrain.layers()) {
+            (Some(angle), _) => angle.at(i),
+            (None, Some(layers)) => layers.surface(i, z[i]).repose,
+            (None, None) => Angle::of(USUAL_ANGLE).si(),
+        };
+        let steepest = parallel::map(z.len(), |i| math::tan(angle(i)));
         // What moves from `i` to `j`, as a height on a node of mean size; the angle is that of the ground that slips.
         let least = (0..z.len()).filter(|&i| status[i] != MASKED).map(|i| domain.area(i)).fold(f64::INFINITY, f64::min);
         let moves = |i: usize, j: usize, distance: f64| PART * least * (z[i] - z[j] - distance * steepest[i]).max(0.0);
@@ -97,10 +109,12 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
         let volume = |sign: f64| parallel::sum(z.len(), |i| if is_held(i) { 0.0 } else { (sign * gain[i]).max(0.0) });
         let (eroded, deposited) = (volume(-1.0), volume(1.0));
         let rise = |i: usize| if is_held(i) { 0.0 } else { gain[i] / domain.area(i) };
-        parallel::update(terrain.elevation_mut(), |i, z| {
-            if status[i] != MASKED {
-                *z += rise(i);
-            }
+        terrain.change(Layer::Surface("gravel"), |z| {
+            parallel::update(z, |i, z| {
+                if status[i] != MASKED {
+                    *z += rise(i);
+                }
+            });
         });
         Ok(Change { eroded, deposited, exported, ..Change::default() })
     }

@@ -5,11 +5,16 @@ use landform_core::algo::outlets::fill_inland_water;
 use landform_core::field::names;
 use landform_core::grid::{Domain, MASKED};
 use landform_core::terrain::NodeSurface;
-use landform_core::{math, parallel};
+use landform_core::{Result, math, parallel};
 
 /// Routes flow over the terrain as it is and leaves drainage area, lake depth, receiver and basin as fields. With a sea, water at
 /// its level that it does not reach is a lake.
-pub fn leave_drainage<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow: &mut Flow, sea_level: Option<f64>) {
+pub fn write_drainage_fields<T: NodeSurface>(
+    terrain: &mut T,
+    domain: &T::Domain,
+    flow: &mut Flow,
+    sea_level: Option<f64>,
+) -> Result<()> {
     let mut area = node_areas(domain);
     flow.route(domain, terrain.elevation(), &mut area);
     let status = domain.status();
@@ -26,20 +31,25 @@ pub fn leave_drainage<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow:
     });
     let (receiver, basin) = (flow.receivers().to_vec(), flow.basins(status));
     let fields = terrain.fields_mut();
-    fields.insert(&names::DRAINAGE_AREA, area);
-    fields.insert(&names::LAKE_DEPTH, depth);
-    fields.insert(&names::RECEIVER, receiver);
-    fields.insert(&names::BASIN, basin);
+    fields.insert(&names::DRAINAGE_AREA, area)?;
+    fields.insert(&names::LAKE_DEPTH, depth)?;
+    fields.insert(&names::RECEIVER, receiver)?;
+    fields.insert(&names::BASIN, basin)
 }
 
 /// Area that χ refers to, m².
 const CHI_AREA: f64 = 1e6;
 
-/// Leaves the slope along the flow and χ as fields; `flow` is as [`leave_drainage`] left it. Sources: Perron & Royden (2013)
+/// Leaves the slope along the flow and χ as fields; `flow` is as [`write_drainage_fields`] left it. Sources: Perron & Royden (2013)
 /// for χ.
-pub fn leave_steepness<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow: &Flow, concavity: f64) {
+pub fn write_channel_steepness_fields<T: NodeSurface>(
+    terrain: &mut T,
+    domain: &T::Domain,
+    flow: &Flow,
+    concavity: f64,
+) -> Result<()> {
     let z = terrain.elevation();
-    let Ok(area) = terrain.fields().get(&names::DRAINAGE_AREA, "chi") else { return };
+    let area = terrain.fields().get(&names::DRAINAGE_AREA, "chi")?;
     let (mut slope, mut chi) = (vec![0.0; z.len()], vec![0.0; z.len()]);
     for &i in flow.order().iter().rev() {
         let i = i as usize;
@@ -53,6 +63,6 @@ pub fn leave_steepness<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, flow
         }
     }
     let fields = terrain.fields_mut();
-    fields.insert(&names::CHANNEL_SLOPE, slope);
-    fields.insert(&names::CHI, chi);
+    fields.insert(&names::CHANNEL_SLOPE, slope)?;
+    fields.insert(&names::CHI, chi)
 }

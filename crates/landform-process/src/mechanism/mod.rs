@@ -1,9 +1,11 @@
 //! What more than one phenomenon uses, and is none of its own.
 
 mod drainage;
+mod grid;
 mod radius;
 pub mod water;
 pub mod wind;
 
-pub use drainage::{leave_drainage, leave_steepness};
+pub use drainage::{write_channel_steepness_fields, write_drainage_fields};
+pub use grid::GridParams;
 pub use radius::within_map;

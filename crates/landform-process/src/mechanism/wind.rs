@@ -10,7 +10,7 @@ use landform_core::parallel;
 
 /// The order in which a wind crosses a raster.
 #[derive(Clone, Copy, Debug)]
-pub struct Sweep {
+pub struct WindScan {
     shape: Shape,
     torus: bool,
     /// Whether lines are columns (else rows).
@@ -20,20 +20,27 @@ pub struct Sweep {
     /// How far the wind drifts along a line while it crosses from one to the next, nodes, -1 to 1 for square cells.
     drift: f64,
     /// Distance that the wind travels from line to line, m.
-    pub pace: f64,
+    pub line_spacing: f64,
 }
 
-impl Sweep {
+impl WindScan {
     /// The sweep of a wind that blows along `towards` (x east, y north).
     pub fn new(shape: Shape, spacing: [f64; 2], torus: bool, towards: [f64; 2]) -> Self {
         let [c, r] = [towards[0] / spacing[0], -towards[1] / spacing[1]];
         let by_cols = c.abs() >= r.abs();
         let (major, minor) = if by_cols { (c, r) } else { (r, c) };
-        Self { shape, torus, by_cols, backwards: major < 0.0, drift: minor / major.abs(), pace: 1.0 / major.abs() }
+        Self {
+            shape,
+            torus,
+            by_cols,
+            backwards: major < 0.0,
+            drift: minor / major.abs(),
+            line_spacing: 1.0 / major.abs(),
+        }
     }
 
     /// Number of lines and nodes of each.
-    pub fn lines(&self) -> (usize, usize) {
+    pub fn scan_lines(&self) -> (usize, usize) {
         let Shape { rows, cols } = self.shape;
         if self.by_cols { (cols, rows) } else { (rows, cols) }
     }
@@ -41,12 +48,12 @@ impl Sweep {
     /// The node at a place of a line; lines count downwind.
     #[inline]
     pub fn node(&self, line: usize, at: usize) -> usize {
-        let line = if self.backwards { self.lines().0 - 1 - line } else { line };
+        let line = if self.backwards { self.scan_lines().0 - 1 - line } else { line };
         if self.by_cols { self.shape.index(at, line) } else { self.shape.index(line, at) }
     }
 
     /// Whole nodes that the wind drifts along the line on its way into `line`: of several lines they add up to the true direction.
-    pub fn whole_drift(&self, line: usize) -> i64 {
+    pub fn lateral_shift(&self, line: usize) -> i64 {
         let upto = |k: usize| (k as f64 * self.drift).round() as i64;
         upto(line) - upto(line.wrapping_sub(1).min(line))
     }
@@ -54,12 +61,12 @@ impl Sweep {
     /// A place of a line moved along it; none off a field that is no torus.
     #[inline]
     pub fn along(&self, at: usize, by: i64) -> Option<usize> {
-        let (to, n) = (at as i64 + by, self.lines().1 as i64);
+        let (to, n) = (at as i64 + by, self.scan_lines().1 as i64);
         if (0..n).contains(&to) { Some(to as usize) } else { self.torus.then(|| to.rem_euclid(n) as usize) }
     }
 
     /// How far the wind drifts along a line on its way to the next, nodes.
-    pub fn drift(&self) -> f64 {
+    pub fn lateral_offset(&self) -> f64 {
         self.drift
     }
 
@@ -72,7 +79,7 @@ impl Sweep {
     /// the wind has crossed since, and no lower than the ground itself. A node lies in shadow where this is above its ground. NaN ground casts
     /// no shadow. **Cost** O(n), a few ns a node.
     pub fn shelter(&self, height: impl Fn(usize) -> f32 + Sync, drop: f32, scratch: &mut Vec<f32>, out: &mut [f32]) {
-        let (lines, length) = self.lines();
+        let (lines, length) = self.scan_lines();
         // Heights with lines one after the other, so that sweeping reads memory as it lies.
         scratch.resize(lines * length, 0.0);
         self.gather(&height, scratch);
@@ -119,7 +126,7 @@ impl Sweep {
     }
 
     fn gather(&self, height: &(impl Fn(usize) -> f32 + Sync), into: &mut [f32]) {
-        let length = self.lines().1;
+        let length = self.scan_lines().1;
         if !self.by_cols {
             parallel::for_rows_mut(into, length, |line, row| {
                 row.iter_mut().enumerate().for_each(|(at, v)| *v = height(self.node(line, at)));
@@ -137,7 +144,7 @@ impl Sweep {
     }
 
     fn scatter(&self, from: &[f32], out: &mut [f32]) {
-        let (lines, length) = self.lines();
+        let (lines, length) = self.scan_lines();
         let cols = self.shape.cols;
         parallel::for_rows_mut(out, cols * BAND, |band, part| {
             for (k, row) in part.chunks_mut(cols).enumerate() {
@@ -170,9 +177,9 @@ mod tests {
         let z: Vec<f64> = (0..1200).map(|i| Seed(2).uniform(i) * 8.0).collect();
         let angle = math::atan(0.25);
         for (from, towards) in [(270.0, [1.0, 0.0]), (90.0, [-1.0, 0.0]), (0.0, [0.0, -1.0]), (180.0, [0.0, 1.0])] {
-            let sweep = Sweep::new(grid.shape, grid.spacing, false, towards);
+            let sweep = WindScan::new(grid.shape, grid.spacing, false, towards);
             let mut out = vec![0.0; 1200];
-            sweep.shelter(|i| z[i] as f32, (0.25 * sweep.pace) as f32, &mut Vec::new(), &mut out);
+            sweep.shelter(|i| z[i] as f32, (0.25 * sweep.line_spacing) as f32, &mut Vec::new(), &mut out);
             let geometric = shadow(&grid, &z, f64::to_radians(from), angle);
             // A line of sight along the very border may leave the map by a rounding error.
             let inner = |i: &usize| (1..29).contains(&(i / 40)) && (1..39).contains(&(i % 40));
@@ -183,9 +190,9 @@ mod tests {
 
     #[test]
     fn a_slanting_wind_drifts_by_its_angle() {
-        let sweep = Sweep::new(Shape::new(50, 50), [1.0; 2], true, [math::cos(0.5), math::sin(0.5)]);
-        let total: i64 = (1..=40).map(|k| sweep.whole_drift(k)).sum();
+        let sweep = WindScan::new(Shape::new(50, 50), [1.0; 2], true, [math::cos(0.5), math::sin(0.5)]);
+        let total: i64 = (1..=40).map(|k| sweep.lateral_shift(k)).sum();
         assert_eq!(total, -(40.0 * math::tan(0.5)).round() as i64);
-        assert!((sweep.pace - 1.0 / math::cos(0.5)).abs() < 1e-12);
+        assert!((sweep.line_spacing - 1.0 / math::cos(0.5)).abs() < 1e-12);
     }
 }

@@ -27,17 +27,22 @@
 mod tests;
 
 use landform_core::algo::derivative::gradient;
-use landform_core::field::names;
 use landform_core::grid::Grid;
 use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Angle, Length, LengthDimension, Ratio, YEAR};
-use landform_core::verb::{Change, Context, OwnClock, Params, Process, Resolved, Rose, Source, Step, Varying, Wind};
+use landform_core::verb::{
+    Change, Context, Environment, OwnClock, Params, Process, Resolved, Rose, Source, Step, Varying, Wind,
+};
 use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::wind::Sweep;
+use crate::mechanism::wind::WindScan;
+
+landform_core::stages! {
+    process Snow where HeightField;
+}
 
 /// A winter's snow: falls with height, drifts with the wind, slides off steep ground. Leaves its depth. Runs without a clock, one round a
 /// storm.
@@ -49,9 +54,9 @@ pub struct Snow {
     pub snowfall: Varying<LengthDimension>,
     /// Storms that it falls in.
     #[schemars(extend("x-min" = 1, "x-max" = 10000))]
-    pub storms: u64,
-    /// Elevation above which all that falls is snow.
-    pub snow_line: Length,
+    pub iterations: u64,
+    /// Elevation above which all that falls is snow. Where the environment's temperature is 0 degrees Celsius, if not given; else 0 m.
+    pub snow_line: Option<Length>,
     /// Height below the snow line at which none is any more.
     #[schemars(extend("x-min" = 0.0))]
     pub band: Length,
@@ -81,12 +86,12 @@ impl Default for Snow {
     fn default() -> Self {
         Self {
             snowfall: Length::of(3.0).into(),
-            storms: 20,
-            snow_line: Length::of(0.0),
+            iterations: 20,
+            snow_line: None,
             band: Length::of(200.0),
             growth: 0.3,
             melt: Length::of(0.0),
-            wind: vec![Wind::from(270.0, 1.0)],
+            wind: Vec::new(),
             drift: 0.6,
             carry: Length::of(60.0),
             wetness: Ratio::of(0.1),
@@ -97,6 +102,7 @@ impl Default for Snow {
 
 impl Params for Snow {
     const NAME: &'static str = "snow";
+    const RENAMED: &'static [(&'static str, &'static str)] = &[("storms", "iterations")];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Bernhardt & Schulz (2010)",
@@ -111,58 +117,57 @@ impl Params for Snow {
     ];
 
     fn check(&self) -> Result<()> {
-        Rose::new("wind", &self.wind).map(|_| ())
+        if self.wind.is_empty() { Ok(()) } else { Rose::new("wind", &self.wind).map(drop) }
     }
 }
 
-/// Snow on the ground.
+/// The layer that falls.
+const SNOW: &str = "snow";
+
+/// What falls, and by which draws.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
-    depth: Vec<f64>,
     snowfall: Resolved,
     seed: Seed,
 }
 
 impl Process<HeightField> for Snow {
-    const WRITES: &'static [&'static str] = &["elevation", "snow_depth"];
+    const WRITES: &'static [&'static str] = &["elevation", "snow_depth", "surface_material"];
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
-        Some(OwnClock { dt: YEAR / self.storms as f64, rounds: self.storms, is_timed: false })
+        Some(OwnClock { dt: YEAR / self.iterations as f64, rounds: self.iterations, is_timed: false })
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
-        let n = terrain.grid.len();
-        let lying = terrain.fields().get(&names::SNOW_DEPTH, "snow").map(<[f64]>::to_vec);
+        let n = terrain.grid().len();
         let snowfall = self.snowfall.resolve("snowfall", terrain, context)?;
-        let depth = lying.unwrap_or_else(|_| vec![0.0; n]);
-        terrain.fields_mut().insert(&names::SNOW_DEPTH, depth.clone());
-        Ok(State { depth, snowfall, seed: context.seed })
+        terrain.make_layered(&context.environment.materials);
+        let depth = terrain.depth(SNOW).map_or_else(|| vec![0.0; n], <[f64]>::to_vec);
+        terrain.change_depth(SNOW, &depth)?;
+        Ok(State { snowfall, seed: context.seed })
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
-        let rose = Rose::new("wind", &self.wind)?;
+        let rose = at.environment.rose(&self.wind)?;
+        let line = self.line(&at.environment);
         let wind = rose.winds()[rose.draw(state.seed.named("wind"), at.index)].towards();
-        let n = terrain.grid.len();
-        let ground: Vec<f64> = (0..n).map(|i| terrain.elevation()[i] - state.depth[i]).collect();
-        let before = state.depth.clone();
-        let fallen = self.fall(&ground, state);
-        let melted = self.thaw(&ground, &mut state.depth);
-        let blown = self.blow(terrain, &ground, &fallen, &mut state.depth, wind);
-        slide(&terrain.grid, &ground, &mut state.depth, holding_angle(self.wetness.si()));
-        let area = terrain.grid.cell_area();
+        let n = terrain.grid().len();
+        let before = terrain.depth(SNOW).map_or_else(|| vec![0.0; n], <[f64]>::to_vec);
+        let mut depth = before.clone();
+        let ground: Vec<f64> = (0..n).map(|i| terrain.elevation()[i] - before[i]).collect();
+        let fallen = self.fall(&ground, &state.snowfall, line);
+        depth.iter_mut().zip(&fallen).for_each(|(d, f)| *d += f);
+        let melted = self.thaw(&ground, &mut depth, line);
+        let blown = self.blow(terrain, &ground, &fallen, &mut depth, wind);
+        slide(terrain.grid(), &ground, &mut depth, holding_angle(self.wetness.si()));
+        let area = terrain.grid().cell_area();
         let sum = |f: &(dyn Fn(usize) -> f64 + Sync)| {
             parallel::sum(n, |i| if ground[i].is_nan() { 0.0 } else { f(i) }) * area
         };
-        let depth = &state.depth;
         let lost = sum(&|i| (before[i] + fallen[i] - depth[i]).max(0.0));
         let supplied = sum(&|i| fallen[i]);
-        for i in 0..n {
-            if !ground[i].is_nan() {
-                terrain.elevation_mut()[i] = ground[i] + state.depth[i];
-            }
-        }
-        terrain.fields_mut().insert(&names::SNOW_DEPTH, state.depth.clone());
+        terrain.change_depth(SNOW, &depth)?;
         // Volume changes by supplied + deposited - eroded, and what was taken up was laid down or left.
         let exported = (melted + blown) * area;
         let moved = lost.max(exported);
@@ -177,10 +182,15 @@ fn holding_angle(wetness: f64) -> f64 {
 }
 
 impl Snow {
-    /// Snow of one storm on every node, added to what lies.
-    fn fall(&self, ground: &[f64], state: &mut State) -> Vec<f64> {
-        let (line, band) = (self.snow_line.si(), self.band.si());
-        let fallen = parallel::map(ground.len(), |i| {
+    /// Elevation of the snow line, m.
+    fn line(&self, environment: &Environment) -> f64 {
+        self.snow_line.map(Length::si).or(environment.freezing_level()).unwrap_or(0.0)
+    }
+
+    /// Snow of one storm on every node.
+    fn fall(&self, ground: &[f64], snowfall: &Resolved, line: f64) -> Vec<f64> {
+        let band = self.band.si();
+        parallel::map(ground.len(), |i| {
             let z = ground[i];
             if z.is_nan() {
                 return 0.0;
@@ -188,21 +198,19 @@ impl Snow {
             let frozen =
                 if band > 0.0 { ((z - line + band) / band).clamp(0.0, 1.0) } else { f64::from(u8::from(z >= line)) };
             let more = 1.0 + self.growth * (z - line).max(0.0) / 1000.0;
-            state.snowfall.at(i).max(0.0) / self.storms as f64 * frozen * more
-        });
-        state.depth.iter_mut().zip(&fallen).for_each(|(d, f)| *d += f);
-        fallen
+            snowfall.at(i).max(0.0) / self.iterations as f64 * frozen * more
+        })
     }
 
     /// Melts; the depth that went, summed over nodes.
-    fn thaw(&self, ground: &[f64], depth: &mut [f64]) -> f64 {
-        let most = self.melt.si() / self.storms as f64;
+    fn thaw(&self, ground: &[f64], depth: &mut [f64], line: f64) -> f64 {
+        let most = self.melt.si() / self.iterations as f64;
         if most == 0.0 {
             return 0.0;
         }
         let mut gone = 0.0;
         for i in 0..ground.len() {
-            let warmth = ((self.snow_line.si() - ground[i]) / self.band.si().max(1e-9)).max(0.0);
+            let warmth = ((line - ground[i]) / self.band.si().max(1e-9)).max(0.0);
             let melted = (most * warmth).min(depth[i]);
             if melted > 0.0 {
                 depth[i] -= melted;
@@ -214,11 +222,11 @@ impl Snow {
 
     /// Sweeps snow downwind; the depth that left over the sides, summed over nodes.
     fn blow(&self, terrain: &HeightField, ground: &[f64], fresh: &[f64], depth: &mut [f64], towards: [f64; 2]) -> f64 {
-        let grid = &terrain.grid;
-        let sweep = Sweep::new(grid.shape, grid.spacing, false, towards);
+        let grid = terrain.grid();
+        let sweep = WindScan::new(grid.shape, grid.spacing, false, towards);
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i]).collect();
         let mut shelter = vec![0.0f32; surface.len()];
-        let fall = (math::tan(self.shadow.si()) * sweep.pace) as f32;
+        let fall = (math::tan(self.shadow.si()) * sweep.line_spacing) as f32;
         sweep.shelter(
             |i| if surface[i].is_nan() { f32::NEG_INFINITY } else { surface[i] as f32 },
             fall,
@@ -236,10 +244,10 @@ impl Snow {
             let open = math::exp(-hidden / 4.0);
             (open * (1.0 + 1.5 * slope[i])).clamp(0.0, 2.0)
         };
-        let part = 1.0 - math::exp(-sweep.pace / self.carry.si());
+        let part = 1.0 - math::exp(-sweep.line_spacing / self.carry.si());
         // Loads are depths on one node, gathered over the distance in which wind loads up.
         let capacity = |i: usize| self.drift * strength(i) * fresh[i] / part;
-        let (lines, length) = sweep.lines();
+        let (lines, length) = sweep.scan_lines();
         let (mut load, mut next) = (vec![0.0; length], vec![0.0; length]);
         let mut left = 0.0;
         // How much of what arrives at a node came from nodes of the map; the rest is wind from beyond, which has its load already.
@@ -258,7 +266,7 @@ impl Snow {
                     load[at] += taken;
                 }
                 // To the two nodes beside where it arrives.
-                let to = at as f64 + sweep.drift();
+                let to = at as f64 + sweep.lateral_offset();
                 let low = to.floor();
                 for (node, share) in [(low, 1.0 - (to - low)), (low + 1.0, to - low)] {
                     let amount = load[at] * share;

@@ -7,14 +7,18 @@ use landform_core::sim::{Simulation, Stop};
 use super::*;
 
 fn snowed(field: HeightField, params: &Snow) -> (HeightField, landform_core::verb::Outcome) {
-    let mut simulation =
-        Simulation::new(field).process(params.clone()).unwrap().dt(1.0).until(Stop::steps(params.storms)).seed(Seed(1));
+    let mut simulation = Simulation::new(field)
+        .process(params.clone())
+        .unwrap()
+        .dt(1.0)
+        .until(Stop::steps(params.iterations))
+        .seed(Seed(1));
     let outcome = simulation.run().unwrap();
     (simulation.into_terrain(), outcome)
 }
 
 fn depth(field: &HeightField) -> Vec<f64> {
-    field.fields().get(&names::SNOW_DEPTH, "test").unwrap().to_vec()
+    field.depth("snow").unwrap().to_vec()
 }
 
 /// Hills of many sizes, with slopes up to about 60 degrees.
@@ -32,10 +36,10 @@ fn hills() -> HeightField {
 
 #[test]
 fn what_falls_lies_melts_or_is_blown_away() {
-    let params = Snow { snow_line: Length::of(2_100.0), melt: Length::of(1.0), ..Snow::default() };
+    let params = Snow { snow_line: Some(Length::of(2_100.0)), melt: Length::of(1.0), ..Snow::default() };
     let ground = hills();
     let (field, outcome) = snowed(ground.clone(), &params);
-    let area = ground.grid.cell_area();
+    let area = ground.grid().cell_area();
     let lies: f64 = depth(&field).iter().sum::<f64>() * area;
     let change = outcome.budget.change;
     assert!(((lies + change.exported) / change.supplied - 1.0).abs() < 1e-9, "{lies} {change:?}");
@@ -58,10 +62,10 @@ fn a_level_plain_stays_level() {
 
 #[test]
 fn steep_ground_keeps_little_and_depths_spread_as_on_real_hills() {
-    let (field, _) = snowed(hills(), &Snow { snow_line: Length::of(1_000.0), ..Snow::default() });
+    let (field, _) = snowed(hills(), &Snow { snow_line: Some(Length::of(1_000.0)), ..Snow::default() });
     let bare = hills();
     let d = depth(&field);
-    let slope = |i: usize| math::atan(gradient(&bare.grid, bare.elevation(), i).slope()).to_degrees();
+    let slope = |i: usize| math::atan(gradient(bare.grid(), bare.elevation(), i).slope()).to_degrees();
     let mean = |from: f64, to: f64| {
         let within: Vec<f64> = (0..d.len()).filter(|&i| (from..to).contains(&slope(i))).map(|i| d[i]).collect();
         assert!(within.len() > 20, "{from} {}", within.len());
@@ -88,7 +92,7 @@ fn more_lies_in_the_lee_of_a_ridge() {
             (x - 300.0) * towards[0] + (y - 300.0) * towards[1]
         };
         let z = (0..grid.len()).map(|i| 40.0 * math::exp(-along(i) * along(i) / (2.0 * 45.0 * 45.0))).collect();
-        let params = Snow { wind: vec![Wind::from(from, 1.0)], snow_line: Length::of(-100.0), ..Snow::default() };
+        let params = Snow { wind: vec![Wind::from(from, 1.0)], snow_line: Some(Length::of(-100.0)), ..Snow::default() };
         let (field, _) = snowed(HeightField::new(grid.clone(), z).unwrap(), &params);
         let d = depth(&field);
         let side = |from: f64, to: f64| {

@@ -22,6 +22,9 @@
 //! space, stable for any Δt, O(n). Ground under a lake's surface, which stands at or below its receiver, is left alone.
 //! With deposition, one linear system on the tree of rivers ([`yuan_2019`]).
 //!
+//! On layered ground a step wears through strata one after the other, each with its own erodibility, and slopes stand at the angle of
+//! repose of each stratum ([`rock`]): resistant beds become ledges and caps.
+//!
 //! With outlets "sea" every node at or under sea level at the start of a step is an outlet in it; it is not held, so that
 //! uplift and subsidence move the shore, and rivers end at the surface of the water, not at its floor.
 //!
@@ -39,7 +42,9 @@
 //! (SP6, SP7), one long step = steady state (SP8), order in time (SP9), rescaling (SP10), mass (SP11), (1 + G), the sea.
 
 mod braun_willett_2013;
+mod law;
 mod params;
+mod rock;
 #[cfg(test)]
 mod tests;
 mod yuan_2019;
@@ -50,16 +55,21 @@ use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
 use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{HeightField, Layer, Layers, Mesh, NodeSurface};
 use landform_core::units::MYR;
-use landform_core::verb::{Change, Context, Process, Resolved, Step};
+use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step};
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::{leave_drainage, leave_steepness};
+use crate::mechanism::{write_channel_steepness_fields, write_drainage_fields};
 use braun_willett_2013::sweep;
 pub use params::StreamPower;
+use rock::{Rock, sweep_layers};
 use yuan_2019::Sediment;
+
+landform_core::stages! {
+    process StreamPower where HeightField, Mesh;
+}
 
 /// Parameters on the nodes, base levels, and scratch.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -72,6 +82,8 @@ pub struct State<D> {
     base: Vec<(u32, f64)>,
     /// Level of the sea after the last step, m.
     sea_level: f64,
+    /// Level of the sea when base levels were taken, m.
+    sea_start: f64,
     #[serde(skip)]
     scratch: Scratch<D>,
 }
@@ -133,28 +145,31 @@ impl<T: NodeSurface> Process<T> for StreamPower {
     type State = State<T::Domain>;
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<Self::State> {
-        let erodibility = self.erodibility.resolve("erodibility", terrain, context)?;
+        let erodibility = match &self.erodibility {
+            Some(given) => given.resolve("erodibility", terrain, context)?,
+            None => Resolved::Uniform(StreamPower::usual_erodibility().si()),
+        };
         if let Resolved::PerNode(k) = &erodibility
             && let Some(i) = parallel::find_first(k.len(), |i| k[i] < 0.0)
         {
             return Err(Error::parameter("erodibility", format!("negative at node {i}"), "at least 0 everywhere"));
         }
+        let sea_level = self.sea_at(context.time, context.environment).unwrap_or(0.0);
         if let Some(outlets) = &self.outlets {
-            outlets.apply(terrain, self.sea_at(0.0).unwrap_or(0.0), context)?;
+            outlets.apply(terrain, sea_level, context)?;
         }
         let base = if self.ends_in_sea() { afloat(terrain) } else { base_levels(terrain)? };
-        let rain = match &self.rainfall {
+        let rain = match self.rainfall.as_ref().or(context.environment.rainfall.as_ref()) {
             Some(rainfall) => {
                 let rain = rainfall.resolve("rainfall", terrain, context)?;
                 let relative = relative_rain(&rain, &*terrain.domain())?;
                 let all = parallel::map(terrain.elevation().len(), |i| rain.at(i));
-                terrain.fields_mut().insert(&names::RAINFALL, all);
+                terrain.fields_mut().insert(&names::RAINFALL, all)?;
                 relative
             }
             None => None,
         };
-        let sea_level = self.sea_at(0.0).unwrap_or(0.0);
-        Ok(State { erodibility, rain, base, sea_level, scratch: Scratch::default() })
+        Ok(State { erodibility, rain, base, sea_level, sea_start: sea_level, scratch: Scratch::default() })
     }
 
     fn begin(&self, terrain: &T, state: &mut Self::State, at: &Step) -> Result<()> {
@@ -184,29 +199,51 @@ impl<T: NodeSurface> Process<T> for StreamPower {
 
     fn step(&self, terrain: &mut T, state: &mut Self::State, at: &Step) -> Result<Change> {
         let domain = state.prepare(self, terrain);
-        let risen = self.sea_at(at.time + at.dt).zip(self.sea_at(0.0)).map_or(0.0, |(now, then)| now - then);
-        let mut change = hold_base_level(terrain, &*domain, &state.base, risen);
+        let sea = self.sea_at(at.time + at.dt, &at.environment);
+        let risen = sea.map_or(0.0, |now| now - state.sea_start);
+        if let Some(now) = self.erodibility.as_ref().and_then(|k| k.in_time(at.time, at.time + at.dt)) {
+            state.erodibility = Resolved::Uniform(now);
+        }
         let Scratch { flow, amount, sediment, erosion, .. } = &mut state.scratch;
         let floor = if self.ends_in_sea() { state.sea_level } else { f64::NEG_INFINITY };
         let law = self.law(floor, at.dt);
-        let z = terrain.elevation_mut();
-        erosion.clear();
-        if at.may_be_last {
+        let (base, erodibility) = (&state.base, &state.erodibility);
+        let by_material = self.erodibility.is_none();
+        // Layers are read while elevations are found, and follow afterwards; without layers elevations change in place.
+        let mut work = |z: &mut [f64], layers: Option<&Layers>| {
+            let mut change = hold_base_level(z, &*domain, base, risen);
+            erosion.clear();
             erosion.extend_from_slice(z);
-        }
-        if self.deposition > 0.0 {
-            change = change.plus(sediment.sweep(&*domain, flow, &law, &state.erodibility, amount, z));
-        } else {
-            let eroded = sweep(&*domain, flow, &law, &state.erodibility, amount, z);
-            change.eroded += eroded;
-            change.exported += eroded;
-        }
-        parallel::update(erosion, |i, e| *e = (*e - z[i]) / at.dt);
-        state.sea_level = self.sea_at(at.time + at.dt).unwrap_or(0.0);
+            let rock = Rock { erodibility, layers, by_material };
+            if self.deposition > 0.0 {
+                change = change.plus(sediment.sweep(&*domain, flow, &law, &rock, amount, z));
+            } else {
+                match layers {
+                    Some(layers) => sweep_layers(&*domain, flow, &law, &rock, layers, amount, z),
+                    None => sweep(&*domain, flow, &law, &rock, amount, z),
+                }
+            }
+            let lowered = rates(&*domain, erosion, z, at.dt);
+            if self.deposition == 0.0 {
+                change.eroded += lowered;
+                change.exported += lowered;
+            }
+            change
+        };
+        let change = match terrain.layers() {
+            None => terrain.change(LAID, |z| work(z, None)),
+            Some(layers) => {
+                let mut z = terrain.elevation().to_vec();
+                let change = work(&mut z, Some(layers));
+                terrain.change(LAID, |old| old.copy_from_slice(&z));
+                change
+            }
+        };
+        state.sea_level = sea.unwrap_or(0.0);
         Ok(change)
     }
 
-    fn finish(&self, terrain: &mut T, state: &mut Self::State) -> Result<()> {
+    fn finish(&self, terrain: &mut T, state: &mut Self::State, _: &Environment) -> Result<()> {
         let mut domain = state.prepare(self, terrain);
         if self.ends_in_sea() {
             let status = at_or_under(state.sea_level, terrain);
@@ -214,15 +251,18 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             domain = terrain.domain();
         }
         let flow = &mut state.scratch.flow;
-        leave_drainage(terrain, &domain, flow, self.ends_in_sea().then_some(state.sea_level));
-        leave_steepness(terrain, &domain, flow, self.area_exponent / self.slope_exponent);
+        write_drainage_fields(terrain, &domain, flow, self.ends_in_sea().then_some(state.sea_level))?;
+        write_channel_steepness_fields(terrain, &domain, flow, self.area_exponent / self.slope_exponent)?;
         let erosion = std::mem::take(&mut state.scratch.erosion);
         if !erosion.is_empty() {
-            terrain.fields_mut().insert(&names::EROSION_RATE, erosion);
+            terrain.fields_mut().insert(&names::EROSION_RATE, erosion)?;
         }
         Ok(())
     }
 }
+
+/// What rivers lay down.
+const LAID: Layer = Layer::Surface("sediment");
 
 fn the_sea_is_gone(level: f64, at: &Step) -> Error {
     let when = format!("\"sea\", but after {:.4} Myr no ground is at or under {level} m", at.time / MYR);
@@ -268,10 +308,25 @@ fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f6
     Ok(Some(parallel::map(rain.len(), |i| if valid(i) { rain[i] / mean } else { 0.0 })))
 }
 
+/// Turns elevations before the step into rates of lowering, m/s; returns the volume lowered, m³.
+fn rates<D: Domain>(domain: &D, before: &mut [f64], after: &[f64], dt: f64) -> f64 {
+    let pieces = parallel::map_pieces_mut([before], parallel::PIECE, |first, [piece]| {
+        let mut volume = 0.0;
+        for (k, rate) in piece.iter_mut().enumerate() {
+            let lowered = *rate - after[first + k];
+            *rate = lowered / dt;
+            if lowered != 0.0 && !lowered.is_nan() {
+                volume += lowered * domain.area(first + k);
+            }
+        }
+        volume
+    });
+    pieces.into_iter().sum()
+}
+
 /// Puts base levels back to their elevation, `risen` since the start; what was above is carried away, what was below is supplied.
-fn hold_base_level<T: NodeSurface>(terrain: &mut T, domain: &T::Domain, base: &[(u32, f64)], risen: f64) -> Change {
+fn hold_base_level<D: Domain>(z: &mut [f64], domain: &D, base: &[(u32, f64)], risen: f64) -> Change {
     let mut change = Change::default();
-    let z = terrain.elevation_mut();
     for &(node, level) in base {
         let (node, level) = (node as usize, level + risen);
         let above = (z[node] - level) * domain.area(node);

@@ -2,29 +2,31 @@
 
 use landform_core::algo::flow::Descent;
 use landform_core::units::{Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension};
-use landform_core::verb::{Changing, Outlets, Params, Source, Varying};
+use landform_core::verb::{Changing, Environment, Outlets, Params, Source, Varying};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::braun_willett_2013::Law;
+use super::law::Law;
 
 /// Rivers that cut their beds, and may lay down again what they carry: dz/dt = -k A^m S^n + G Q/A, with lakes that spill over
 /// their lowest pass and a sea that comes and goes.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StreamPower {
-    /// Erodibility k of the rock; may vary in space. Its true unit is m^(1-2m)/yr (for slope exponent 1): it is written
-    /// 1/yr with lengths in metres, and a bare number is read the same way.
+    /// Erodibility k of the rock; may vary in space or change in time. Its true unit is m^(1-2m)/yr (for slope exponent 1): it is
+    /// written 1/yr with lengths in metres, and a bare number is read the same way. If not given, each material of layered ground
+    /// has its own, and other ground 2e-6 1/yr. Loose layers always have their own.
     #[schemars(extend("x-min" = 0.0))]
-    pub erodibility: Varying<ErodibilityDimension>,
+    pub erodibility: Option<Varying<ErodibilityDimension>>,
     /// Area exponent m; m/n is the concavity of river profiles.
     #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]
     pub area_exponent: f64,
     /// Slope exponent n.
     #[schemars(extend("x-min" = 0.5, "x-max" = 4.0))]
     pub slope_exponent: f64,
-    /// Steepest slope that ground can stand at; none if not given.
+    /// Steepest slope that ground can stand at. If not given, each material of layered ground stands at its own angle of repose, and
+    /// other ground at any.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Option<Angle>,
     /// Speed at which slopes above the talus angle give way, per unit of slope in excess; at once if not given.
@@ -34,8 +36,8 @@ pub struct StreamPower {
     /// 0 for rivers that carry everything away; rivers on sediment have about 0.2 to 2.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100.0))]
     pub deposition: f64,
-    /// Rainfall; area is weighted by rainfall over its mean, and the discharge of rivers follows from it. Uniform if not
-    /// given.
+    /// Rainfall; area is weighted by rainfall over its mean, and the discharge of rivers follows from it. As the environment has it,
+    /// if not given; else uniform.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Varying<RateDimension>>,
     /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low points of the border),
@@ -44,8 +46,8 @@ pub struct StreamPower {
     /// it, if not given.
     pub outlets: Option<Outlets>,
     /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or { mean = "0 m", amplitude =
-    /// "60 m", period = "100 kyr" }. With outlets "sea" it is where rivers end (0 m if not given), elsewhere base levels
-    /// rise and fall with it.
+    /// "60 m", period = "100 kyr" }. With outlets "sea" it is where rivers end, elsewhere base levels rise and fall with it. As the
+    /// environment has it, if not given; else 0 m.
     pub sea_level: Option<Changing<LengthDimension>>,
     /// What A^m S^n must exceed before rivers cut: k max(0, A^m S^n - threshold), in m^(2m). With creep beside it, hillslopes stay smooth
     /// and valleys keep their distance.
@@ -65,7 +67,7 @@ pub struct StreamPower {
 impl Default for StreamPower {
     fn default() -> Self {
         Self {
-            erodibility: Erodibility::of(2e-6).into(),
+            erodibility: None,
             area_exponent: 0.5,
             slope_exponent: 1.0,
             talus_angle: None,
@@ -84,6 +86,7 @@ impl Default for StreamPower {
 
 impl Params for StreamPower {
     const NAME: &'static str = "stream_power";
+    const IN_TIME: &'static [&'static str] = &["erodibility"];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Braun & Willett (2013)",
@@ -148,9 +151,14 @@ impl StreamPower {
     }
 
     /// Sea level at a time, if there is a sea.
-    pub(super) fn sea_at(&self, time: f64) -> Option<f64> {
-        let level = self.sea_level.as_ref().map(|s| s.at(time));
+    pub(super) fn sea_at(&self, time: f64, environment: &Environment) -> Option<f64> {
+        let level = self.sea_level.as_ref().or(environment.sea_level.as_ref()).map(|s| s.at(time));
         level.or(self.ends_in_sea().then_some(0.0))
+    }
+
+    /// Erodibility where nothing is said, m^(1-2m)/s.
+    pub(super) fn usual_erodibility() -> Erodibility {
+        Erodibility::of(2e-6)
     }
 
     /// Whether rivers end wherever they meet the sea.

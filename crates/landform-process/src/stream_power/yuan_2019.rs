@@ -18,12 +18,15 @@
 //! Yuan, Braun, Guerit, Rouby & Cordonnier (2019), eqs. 5–9, who exclude the node's own cell from Q; here it is included, so that
 //! the steady slope is ((1 + G) U/K)^(1/n) A^(−m/n) exactly (validation notes 2.19). Davy & Lague (2009) for the ξ–q law behind it.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use landform_core::algo::flow::Flow;
 use landform_core::grid::{Domain, NO_SLOT};
-use landform_core::math;
-use landform_core::verb::{Change, Resolved};
+use landform_core::verb::Change;
+use landform_core::{math, parallel};
 
-use super::braun_willett_2013::Law;
+use super::law::Law;
+use super::rock::Rock;
 
 const MOST_ROUNDS: usize = 60;
 const TOLERANCE: f64 = 1e-11;
@@ -61,6 +64,8 @@ struct Node {
     level: f64,
     /// F of the law.
     strength: f64,
+    /// Drop that the ground can stand at, m.
+    limit: f64,
     regime: Regime,
 }
 
@@ -71,105 +76,90 @@ impl Sediment {
         domain: &D,
         flow: &Flow,
         law: &Law,
-        erodibility: &Resolved,
+        rock: &Rock,
         area: &[f64],
         z: &mut [f64],
     ) -> Change {
-        let step = Step { domain, flow, law, area, before: z };
-        self.prepare(&step, erodibility);
+        let step = Step { domain, flow, law, rock, area, before: z };
+        self.prepare(&step);
         for _ in 0..MOST_ROUNDS {
             self.down(&step);
             if !self.up(&step) {
                 break;
             }
         }
-        let mut change = Change::default();
-        for (i, z) in z.iter_mut().enumerate() {
-            let lowering = self.nodes[i].lowering;
-            *z -= lowering;
-            let volume = lowering * domain.area(i);
-            change.eroded += volume.max(0.0);
-            change.deposited += (-volume).max(0.0);
-            self.upstream[i][0] = volume;
-        }
-        for &i in flow.order() {
-            let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
-            if r == i {
-                change.exported += self.upstream[i][0];
-            } else {
-                self.upstream[r][0] += self.upstream[i][0];
-            }
-        }
-        change
+        self.settle(domain, flow, z)
+    }
+
+    /// Lowers the ground, and follows the volumes to where they leave.
+    fn settle<D: Domain>(&mut self, domain: &D, flow: &Flow, z: &mut [f64]) -> Change {
+        let nodes = &self.nodes;
+        parallel::update(z, |i, z| *z -= nodes[i].lowering);
+        let volume = |i: usize| nodes[i].lowering * domain.area(i);
+        let sum = |sign: f64| parallel::sum(nodes.len(), |i| (sign * volume(i)).max(0.0));
+        let (eroded, deposited) = (sum(1.0), sum(-1.0));
+        parallel::update(&mut self.upstream, |i, flux| *flux = [volume(i), 0.0]);
+        flow.down(domain, &mut self.upstream, |a, b| [a[0] + b[0], 0.0], |_, flux| flux);
+        let (flux, slots) = (&self.upstream, flow.slots());
+        let exported = parallel::sum(nodes.len(), |i| if slots[i] == NO_SLOT { flux[i][0] } else { 0.0 });
+        Change { eroded, deposited, exported, ..Change::default() }
     }
 
     /// Without deposition: the first guess.
-    fn prepare<D: Domain>(&mut self, step: &Step<'_, D>, erodibility: &Resolved) {
-        let Step { domain, flow, law, area, before } = *step;
-        let empty = Node { lowering: 0.0, drop: 0.0, at: 1.0, level: 0.0, strength: 0.0, regime: Regime::Lake };
+    fn prepare<D: Domain>(&mut self, step: &Step<'_, D>) {
+        let Step { domain, flow, law, rock, area, before } = *step;
+        let (slots, receivers) = (flow.slots(), flow.receivers());
+        let empty =
+            Node { lowering: 0.0, drop: 0.0, at: 1.0, level: 0.0, strength: 0.0, limit: 0.0, regime: Regime::Lake };
         self.nodes.clear();
-        self.nodes.resize(before.len(), empty);
+        self.nodes.extend(before.iter().map(|z| Node { level: z.max(law.sea_level), ..empty }));
         self.upstream.resize(before.len(), [0.0; 2]);
-        for &i in flow.order().iter().rev() {
-            let i = i as usize;
-            let (r, slot) = (flow.receivers()[i] as usize, flow.slots()[i]);
-            if slot == NO_SLOT {
-                self.nodes[i].level = before[i].max(law.sea_level);
-                continue;
-            }
-            let below = self.nodes[r];
-            let length = domain.distance(i, slot);
-            let strength = law.strength(erodibility.at(i), area[i], length);
-            let base = (before[r] - below.lowering).max(law.sea_level);
+        flow.up(&mut self.nodes, |i, _, below| {
+            let length = domain.distance(i, slots[i]);
+            let strength = law.strength(rock.erodibility(i, before[i]), area[i], length);
+            let base = (before[receivers[i] as usize] - below.lowering).max(law.sea_level);
             let mut node = Node { drop: before[i] - base - below.lowering, strength, ..empty };
             node.level = below.level.max(before[i]);
             if before[i] > below.level {
                 let worn = law.worn(before[i] - base, strength);
-                let limit = law.greatest_slope * length;
-                let kept = if worn > limit { worn + (limit - worn) * law.slide(length) } else { worn };
-                node.regime = if worn > limit { Regime::Talus } else { Regime::River };
+                let limit = rock.stable_drop(law, i, before[i], base, length);
+                let (kept, slides) = law.standing(worn, limit, length);
+                node.regime = if slides { Regime::Talus } else { Regime::River };
+                node.limit = limit;
                 node.lowering = before[i] - base - kept;
                 node.level = base + kept;
                 node.at = worn;
             }
-            self.nodes[i] = node;
-        }
+            node
+        });
     }
 
     /// From the leaves down: what each subtree sends, as a function of the lowering of the node below.
     fn down<D: Domain>(&mut self, step: &Step<'_, D>) {
+        let nodes = &self.nodes;
         self.upstream.fill([0.0; 2]);
-        for &i in step.flow.order() {
-            let i = i as usize;
-            let r = step.flow.receivers()[i] as usize;
-            if r == i {
-                continue;
-            }
-            let [constant, factor] = step.lowering(i, &self.nodes[i], self.upstream[i]);
-            let [alpha, beta] = self.upstream[i];
+        let add = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+        step.flow.down(step.domain, &mut self.upstream, add, |i, [alpha, beta]| {
+            let [constant, factor] = step.lowering(i, &nodes[i], [alpha, beta]);
             let own = step.domain.area(i) + beta;
-            self.upstream[r][0] += alpha + own * constant;
-            self.upstream[r][1] += own * factor;
-        }
+            [alpha + own * constant, own * factor]
+        });
     }
 
     /// From the outlets up: lowering, and whether any node decides otherwise than before.
     fn up<D: Domain>(&mut self, step: &Step<'_, D>) -> bool {
-        let Step { domain, flow, law, before, .. } = *step;
-        let mut changed = false;
-        for &i in flow.order().iter().rev() {
-            let i = i as usize;
-            let r = flow.receivers()[i] as usize;
-            if r == i {
-                continue;
-            }
-            let (below, [alpha, beta], was) = (self.nodes[r], self.upstream[i], self.nodes[i]);
-            let base = (before[r] - below.lowering).max(law.sea_level);
+        let Step { domain, flow, law, rock, before, .. } = *step;
+        let (slots, receivers, upstream) = (flow.slots(), flow.receivers(), &self.upstream);
+        let changed = AtomicBool::new(false);
+        flow.up(&mut self.nodes, |i, was, below| {
+            let [alpha, beta] = upstream[i];
+            let base = (before[receivers[i] as usize] - below.lowering).max(law.sea_level);
             let share = step.share(i);
             let own = 1.0 + share * (domain.area(i) + beta);
             let laid = share * alpha / own;
             let drop = before[i] - base;
             let mut node = Node { drop: drop - below.lowering, ..was };
+            let mut differs = false;
             // What the river leaves of the drop, what it lays down included.
             let left = if drop + laid > 0.0 { law.worn(drop + laid, was.strength / own) } else { drop + laid };
             if base + left <= below.level {
@@ -177,21 +167,24 @@ impl Sediment {
                 node.regime = if fills { Regime::Filled } else { Regime::Lake };
                 node.lowering = if fills { before[i] - below.level } else { -laid };
             } else {
-                let length = domain.distance(i, flow.slots()[i]);
-                let limit = law.greatest_slope * length;
-                let slides = left > limit;
-                let kept = if slides { left + (limit - left) * law.slide(length) } else { left };
+                let length = domain.distance(i, slots[i]);
+                let limit = rock.stable_drop(law, i, before[i], base, length);
+                let (kept, slides) = law.standing(left, limit, length);
+                node.limit = limit;
                 node.regime = if slides { Regime::Talus } else { Regime::River };
                 node.lowering = drop - kept;
                 node.at = left;
-                changed |= law.slope_exponent != 1.0 && (left - was.at).abs() > TOLERANCE * (left + was.at);
+                differs = law.slope_exponent != 1.0 && (left - was.at).abs() > TOLERANCE * (left + was.at);
             }
             node.level = below.level.max(before[i] - node.lowering);
             let risen = (node.level - was.level).abs() > TOLERANCE * (1.0 + node.level.abs());
-            changed |= node.regime != was.regime || (node.regime == Regime::Filled && risen);
-            self.nodes[i] = node;
-        }
-        changed
+            differs |= node.regime != was.regime || (node.regime == Regime::Filled && risen);
+            if differs {
+                changed.store(true, Ordering::Relaxed);
+            }
+            node
+        });
+        changed.into_inner()
     }
 }
 
@@ -210,6 +203,7 @@ struct Step<'a, D> {
     domain: &'a D,
     flow: &'a Flow,
     law: &'a Law,
+    rock: &'a Rock<'a>,
     area: &'a [f64],
     before: &'a [f64],
 }
@@ -234,7 +228,7 @@ impl<D: Domain> Step<'_, D> {
             Regime::Talus => {
                 let length = self.domain.distance(i, self.flow.slots()[i]);
                 let (slide, [constant, factor]) = (self.law.slide(length), river());
-                let slid = node.drop - self.law.greatest_slope * length;
+                let slid = node.drop - node.limit;
                 [constant + slide * (slid - constant), factor + slide * (1.0 - factor)]
             }
             Regime::Lake => [-share * alpha / own, 0.0],

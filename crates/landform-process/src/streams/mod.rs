@@ -23,12 +23,16 @@ mod tests;
 
 use landform_core::field::names;
 use landform_core::grid::{Domain, INTERIOR, RasterDomain};
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, Ratio, RatioDimension, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Params, Process, Resolved, Source, Step, Varying};
 use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+landform_core::stages! {
+    process StreamAutomaton where HeightField;
+}
 
 /// Gullies by the simplest rule: flooded land, water that moves to the lowest neighbour and takes some height along. Runs without a clock,
 /// one round a flooding.
@@ -37,7 +41,7 @@ use serde::{Deserialize, Serialize};
 pub struct StreamAutomaton {
     /// Floodings.
     #[schemars(extend("x-min" = 1, "x-max" = 100_000))]
-    pub passes: u64,
+    pub iterations: u64,
     /// Height that a unit of water takes from a cell it leaves.
     #[schemars(extend("x-above" = 0.0))]
     pub unit: Length,
@@ -58,7 +62,7 @@ pub struct StreamAutomaton {
 impl Default for StreamAutomaton {
     fn default() -> Self {
         Self {
-            passes: 1,
+            iterations: 1,
             unit: Length::of(0.25),
             softness: Ratio::of(1.0).into(),
             counted: false,
@@ -71,6 +75,7 @@ impl Default for StreamAutomaton {
 
 impl Params for StreamAutomaton {
     const NAME: &'static str = "stream_automaton";
+    const RENAMED: &'static [(&'static str, &'static str)] = &[("passes", "iterations")];
     const SOURCES: &'static [Source] =
         &[Source { authors: "Koh (2002)", title: "Simulating landscape effects with cellular automata", doi: "" }];
 
@@ -100,7 +105,7 @@ impl Process<HeightField> for StreamAutomaton {
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
-        Some(OwnClock { dt: YEAR, rounds: self.passes, is_timed: false })
+        Some(OwnClock { dt: YEAR, rounds: self.iterations, is_timed: false })
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
@@ -108,19 +113,20 @@ impl Process<HeightField> for StreamAutomaton {
         let status = terrain.domain().status().to_vec();
         let springs = self.springs.iter().map(|at| {
             let at = at.map(Length::si);
-            terrain.grid.node_at(at).filter(|&i| status[i] == INTERIOR).ok_or_else(|| {
+            terrain.grid().node_at(at).filter(|&i| status[i] == INTERIOR).ok_or_else(|| {
                 let value = format!("one at {:.0}, {:.0} m", at[0], at[1]);
                 Error::parameter("springs", value, "a place inside the map, not on its open border")
             })
         });
         let springs = springs.collect::<Result<_>>()?;
-        Ok(State { softness, springs, moves: vec![0.0; terrain.grid.len()] })
+        Ok(State { softness, springs, moves: vec![0.0; terrain.grid().len()] })
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, _: &Step) -> Result<Change> {
         let domain = terrain.domain();
-        let eroded = self.pass(&domain, terrain.elevation_mut(), state) * terrain.grid.cell_area();
-        terrain.fields_mut().insert(&names::STREAM_VISITS, state.moves.clone());
+        let taken = terrain.change(Layer::Surface("sediment"), |z| self.pass(&domain, z, state));
+        let eroded = taken * terrain.grid().cell_area();
+        terrain.fields_mut().insert(&names::STREAM_VISITS, state.moves.clone())?;
         Ok(Change { eroded, exported: eroded, ..Change::default() })
     }
 }

@@ -11,7 +11,7 @@ fn ground(n: usize) -> HeightField {
 }
 
 fn run(params: StreamAutomaton) -> (HeightField, f64) {
-    let rounds = params.passes;
+    let rounds = params.iterations;
     let mut sim = Simulation::new(ground(48)).process(params).unwrap().dt(YEAR).until(Stop::steps(rounds));
     let outcome = sim.run().unwrap();
     // With the smallest units the volumes' own rounding is what is left.
@@ -40,7 +40,7 @@ fn what_is_removed_is_units_times_moves() {
 fn passes_end_and_nothing_is_drilled() {
     let before = ground(48);
     let lowest = before.elevation().iter().copied().fold(f64::INFINITY, f64::min);
-    let (after, _) = run(StreamAutomaton { passes: 20, unit: Length::of(5.0), ..StreamAutomaton::default() });
+    let (after, _) = run(StreamAutomaton { iterations: 20, unit: Length::of(5.0), ..StreamAutomaton::default() });
     assert!(after.elevation().iter().all(|&z| z >= lowest));
     assert!((0..48 * 48).all(|i| after.elevation()[i] <= before.elevation()[i]));
 }

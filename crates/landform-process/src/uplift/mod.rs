@@ -4,7 +4,7 @@
 //! ∂z/∂t = U wherever the ground is not held at base level.
 //!
 //! # Method
-//! Explicit; exact for a rate that is constant in time. O(n).
+//! Explicit; a rate that changes in time acts by its mean over each step. O(n). Beds of rock move with the ground.
 //!
 //! # Limits
 //! Vertical only. A negative rate subsides.
@@ -13,18 +13,22 @@
 //! `tests`, and by the steady states of `stream_power`.
 
 use landform_core::grid::{Domain, INTERIOR};
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{HeightField, Layer, Mesh, NodeSurface};
 use landform_core::units::{Rate, RateDimension};
 use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
 use landform_core::{Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+landform_core::stages! {
+    process Uplift where HeightField, Mesh;
+}
+
 /// Tectonic uplift: raises every node that is not held at base level.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Uplift {
-    /// Rate of uplift; may vary in space, negative where the ground subsides.
+    /// Rate of uplift; may vary in space or change in time, negative where the ground subsides.
     pub rate: Varying<RateDimension>,
 }
 
@@ -36,6 +40,7 @@ impl Default for Uplift {
 
 impl Params for Uplift {
     const NAME: &'static str = "uplift";
+    const IN_TIME: &'static [&'static str] = &["rate"];
     const SOURCES: &'static [Source] = &[];
 }
 
@@ -51,6 +56,8 @@ pub struct State {
 struct Reach {
     /// Area of raised nodes, m²; 0 for the others.
     area: Vec<f64>,
+    /// Area of all raised nodes, m².
+    whole: f64,
     /// Greatest rate, m/s.
     greatest: f64,
     /// Volume raised a second, m³/s.
@@ -63,7 +70,8 @@ impl Reach {
         let area = parallel::map(domain.len(), |i| if status[i] == INTERIOR { domain.area(i) } else { 0.0 });
         let greatest = parallel::max(area.len(), |i| if area[i] > 0.0 { rate.at(i) } else { 0.0 }).max(0.0);
         let supply = parallel::sum(area.len(), |i| if area[i] > 0.0 { rate.at(i) * area[i] } else { 0.0 });
-        Self { area, greatest, supply }
+        let whole = parallel::sum(area.len(), |i| area[i]);
+        Self { area, whole, greatest, supply }
     }
 }
 
@@ -77,11 +85,18 @@ impl<T: NodeSurface> Process<T> for Uplift {
 
     fn step(&self, terrain: &mut T, state: &mut State, at: &Step) -> Result<Change> {
         let State { rate, reach } = state;
-        let Reach { area, greatest, supply } = reach.get_or_insert_with(|| Reach::new(&*terrain.domain(), rate));
-        parallel::update(terrain.elevation_mut(), |i, z| {
-            if area[i] > 0.0 {
-                *z += rate.at(i) * at.dt;
-            }
+        let reach = reach.get_or_insert_with(|| Reach::new(&*terrain.domain(), rate));
+        if let Some(now) = self.rate.in_time(at.time, at.time + at.dt) {
+            *rate = Resolved::Uniform(now);
+            (reach.greatest, reach.supply) = (now.max(0.0), now * reach.whole);
+        }
+        let Reach { area, greatest, supply, .. } = reach;
+        terrain.change(Layer::Bedrock, |z| {
+            parallel::update(z, |i, z| {
+                if area[i] > 0.0 {
+                    *z += rate.at(i) * at.dt;
+                }
+            });
         });
         Ok(Change { supplied: *supply * at.dt, raised: *greatest * at.dt, ..Change::default() })
     }
@@ -106,5 +121,23 @@ mod tests {
         assert!((sim.terrain().elevation()[12] - 1.05).abs() < 1e-12);
         assert_eq!(sim.terrain().elevation()[0], 1.0);
         assert!(outcome.budget.imbalance() < 1e-9);
+    }
+
+    #[test]
+    fn a_rate_that_changes_in_time_raises_by_its_integral_and_carries_the_beds() {
+        let grid = Grid::new(Shape::new(5, 5), [10.0, 10.0]).unwrap();
+        let mut field = HeightField::new(grid, vec![1.0; 25]).unwrap();
+        let all = landform_core::terrain::Materials::default();
+        let bed = |name: &str| landform_core::terrain::Bed { material: all.find(name).unwrap(), thickness: 2.0 };
+        let beds = landform_core::terrain::Layers::bedded(&all, vec![bed("shale"), bed("sandstone")], vec![1.0; 25]);
+        field.set_layers(Some(beds.unwrap()));
+        let rate = r#"{"rate":{"times":["0 yr","1 kyr","3 kyr"],"values":["0 mm/yr","2 mm/yr","0 mm/yr"]}}"#;
+        let uplift: Uplift = serde_json::from_str(rate).unwrap();
+        let mut sim =
+            Simulation::new(field).process(uplift).unwrap().dt(700.0 * YEAR).until(Stop::time(5_000.0 * YEAR));
+        let outcome = sim.run().unwrap();
+        let z = sim.terrain().elevation()[12];
+        assert!((z - 4.0).abs() < 1e-9 && outcome.budget.imbalance() < 1e-9, "{z}");
+        assert_eq!(sim.terrain().layers().unwrap().surface(12, z).name, "shale");
     }
 }

@@ -84,12 +84,13 @@ impl Cache {
     }
 }
 
-/// The key of the terrain after a stage: what came before, the stage with its parameters and seed, the files that it reads,
+/// The key of the terrain after a stage: what came before and beside it, the stage with its parameters and seed, the files that it reads,
 /// and the program.
-pub(super) fn key(before: &str, entry: &Entry, folder: &Path, salt: &str) -> String {
+pub(super) fn key(before: &[&str], entry: &Entry, folder: &Path, salt: &str) -> String {
     let mut hash = Sha256::new();
+    let surroundings = before.join(" ");
     for text in [
-        before,
+        surroundings.as_str(),
         &entry.name,
         &entry.seed.0.to_string(),
         &entry.work.normalized().to_string(),
@@ -99,9 +100,8 @@ pub(super) fn key(before: &str, entry: &Entry, folder: &Path, salt: &str) -> Str
         hash.update((text.len() as u64).to_le_bytes());
         hash.update(text);
     }
-    for (stage, json) in entry.work.parts() {
-        hash.update(json.to_string());
-        for path in input_paths(stage.inputs, json) {
+    for part in entry.work.parts() {
+        for path in input_paths(part.stage().inputs, part.parameters()) {
             // A file that is missing is found out when the stage runs.
             let content = fs::read(folder.join(&path)).unwrap_or_default();
             hash.update(Sha256::digest(content));

@@ -14,7 +14,7 @@ pub struct Clock {
     /// Length of a step; must be given, unless `refine` is: then 1 Gyr.
     #[schemars(extend("x-min" = 0.0))]
     pub dt: Duration,
-    /// Time to run; or give `until` or `max_steps`.
+    /// Time to run; or give `until` or `iterations`.
     #[schemars(extend("x-min" = 0.0))]
     pub duration: Option<Duration>,
     /// "steady": stop when the greatest change of a step is at most `tolerance` times what uplift alone would have raised (or
@@ -25,7 +25,7 @@ pub struct Clock {
     pub tolerance: f64,
     /// Most steps; 10,000 for a run until steady, if not given.
     #[schemars(extend("x-min" = 1))]
-    pub max_steps: Option<u64>,
+    pub iterations: Option<u64>,
     /// Coarser levels, each with a quarter of the nodes, that are made steady first, each from the one before: the finest then
     /// needs tens of steps rather than hundreds. With `until = "steady"` alone, and a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
@@ -50,7 +50,7 @@ impl Default for Clock {
             duration: None,
             until: None,
             tolerance: 1e-3,
-            max_steps: None,
+            iterations: None,
             refine: 0,
             timeless: false,
         }
@@ -58,9 +58,12 @@ impl Default for Clock {
 }
 
 impl Clock {
+    /// Words of earlier recipes.
+    pub(super) const RENAMED: &'static [(&'static str, &'static str)] = &[("max_steps", "iterations")];
+
     /// The clock of a process that counts its own rounds.
     pub(super) fn of_rounds(own: OwnClock) -> Self {
-        Self { dt: Quantity::from_si(own.dt), max_steps: Some(own.rounds), timeless: !own.is_timed, ..Self::default() }
+        Self { dt: Quantity::from_si(own.dt), iterations: Some(own.rounds), timeless: !own.is_timed, ..Self::default() }
     }
 
     /// When to stop.
@@ -68,7 +71,7 @@ impl Clock {
         Stop {
             time: self.duration.map(Duration::si),
             steady: self.until.map(|Until::Steady| self.tolerance),
-            steps: self.max_steps,
+            steps: self.iterations,
         }
     }
 
@@ -88,8 +91,8 @@ impl Clock {
         if !(self.step() > 0.0) {
             return Err(Error::parameter("dt", self.dt, "> 0 yr, for example \"1 kyr\""));
         }
-        if self.duration.is_none() && self.until.is_none() && self.max_steps.is_none() {
-            return Err(Error::parameter("clock", "without end", "`duration`, `until = \"steady\"` or `max_steps`"));
+        if self.duration.is_none() && self.until.is_none() && self.iterations.is_none() {
+            return Err(Error::parameter("clock", "without end", "`duration`, `until = \"steady\"` or `iterations`"));
         }
         Ok(())
     }

@@ -4,15 +4,17 @@ use std::ops::Range;
 
 use landform_core::error::nearest;
 use landform_core::random::Seed;
+use landform_core::stage::{ReadStage, Refusal, Stage, Verb};
+use landform_core::terrain::Kind;
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 
-use super::stage::{Form, Refusal, schema_of};
+use super::stages::{stage, stages};
 use super::tree::{Node, Value, place};
-use super::{Clock, STAGES, Stage, Verb, Watch};
+use super::{Clock, Watch};
 
 /// The word for several processes on one clock.
 pub(super) const EVOLVE: &str = "evolve";
@@ -26,19 +28,21 @@ pub(super) struct Entry {
     pub(super) label: Option<String>,
     /// Label of the stage that it starts from.
     pub(super) from: Option<String>,
+    /// Labels of stages whose terrains it is given as well.
+    pub(super) with: Vec<String>,
     /// Seed.
     pub(super) seed: Seed,
     /// What it does.
     pub(super) work: Work,
     /// Kind of terrain after it.
-    pub(super) kind: &'static str,
+    pub(super) kind: Option<Kind>,
 }
 
 /// What a stage of a recipe does.
 #[derive(Clone, Debug)]
 pub(super) enum Work {
-    /// One stage of the table, with its parameters as typed.
-    Once(&'static Stage, Json),
+    /// One stage of the table.
+    Once(ReadStage),
     /// Processes on a clock.
     Evolve(Box<Evolve>),
 }
@@ -47,8 +51,8 @@ pub(super) enum Work {
 #[derive(Clone, Debug)]
 pub(super) struct Evolve {
     pub(super) clock: Clock,
-    /// Processes with their parameters as typed.
-    pub(super) parts: Vec<(&'static Stage, Json)>,
+    /// The processes.
+    pub(super) parts: Vec<ReadStage>,
     /// What is written on the way.
     pub(super) watch: Option<Watch>,
 }
@@ -58,39 +62,49 @@ impl Work {
     pub(super) fn watch(&self) -> Option<&Watch> {
         match self {
             Self::Evolve(evolve) => evolve.watch.as_ref(),
-            Self::Once(..) => None,
+            Self::Once(_) => None,
         }
     }
 
     /// The stages of the table that take part.
-    pub(super) fn parts(&self) -> Vec<(&'static Stage, &Json)> {
+    pub(super) fn parts(&self) -> &[ReadStage] {
         match self {
-            Self::Once(stage, json) => vec![(stage, json)],
-            Self::Evolve(evolve) => evolve.parts.iter().map(|(s, j)| (*s, j)).collect(),
+            Self::Once(stage) => std::slice::from_ref(stage),
+            Self::Evolve(evolve) => &evolve.parts,
         }
     }
 
+    /// What stands first: what the whole is for.
+    pub(super) fn verb(&self) -> Verb {
+        match self {
+            Self::Once(stage) => stage.stage().verb,
+            Self::Evolve(_) => Verb::Process,
+        }
+    }
+
+    /// Files that it writes, below the output folder.
+    pub(super) fn outputs(&self) -> Vec<String> {
+        let watched = self.watch().into_iter().flat_map(Watch::paths).map(|p| p.1.to_string());
+        watched.chain(self.parts().iter().flat_map(|p| p.outputs()).cloned()).collect()
+    }
+
     pub(super) fn changes_terrain(&self) -> bool {
-        self.parts().iter().any(|(s, _)| s.verb.changes_terrain())
+        self.verb().changes_terrain()
     }
 
     /// The parameters in customary units, defaults included.
     pub(super) fn normalized(&self) -> Json {
-        let one = |stage: &Stage, json: &Json| (stage.form.normalize)(json).unwrap_or_else(|_| json.clone());
         match self {
-            Self::Once(stage, json) => one(stage, json),
+            Self::Once(stage) => stage.parameters().clone(),
             Self::Evolve(evolve) => {
-                let process: Vec<_> = evolve
-                    .parts
-                    .iter()
-                    .map(|(stage, json)| {
-                        let mut json = one(stage, json);
-                        if let Json::Object(map) = &mut json {
-                            map.insert("use".into(), stage.name.into());
-                        }
-                        json
-                    })
-                    .collect();
+                let named = |part: &ReadStage| {
+                    let mut json = part.parameters().clone();
+                    if let Json::Object(map) = &mut json {
+                        map.insert("use".into(), part.stage().name.into());
+                    }
+                    json
+                };
+                let process: Vec<_> = evolve.parts.iter().map(named).collect();
                 let mut json = serde_json::json!({ "clock": evolve.clock, "process": process });
                 // Looks at fixed times shorten steps, and so are part of what comes out.
                 if let Some(every) = evolve.watch.as_ref().and_then(|w| w.every) {
@@ -106,6 +120,8 @@ impl Work {
 pub(super) struct EntryReader<'a> {
     /// The recipe's text.
     pub(super) text: &'a str,
+    /// What a person should know about the recipe.
+    pub(super) notes: std::cell::RefCell<Vec<String>>,
 }
 
 impl EntryReader<'_> {
@@ -125,8 +141,20 @@ impl EntryReader<'_> {
         }
     }
 
+    /// Texts of a list of a table, taken out.
+    pub(super) fn take_texts(&self, node: &mut Node, key: &str) -> Result<Vec<(String, Range<usize>)>> {
+        let Some(entry) = node.remove(key) else { return Ok(Vec::new()) };
+        let wrong = || self.error(&entry.node.span, format!("`{key}` is not a list of texts"), None);
+        let Value::Array(items) = &entry.node.value else { return Err(wrong()) };
+        let text = |item: &Node| match &item.value {
+            Value::Leaf(Json::String(s)) => Ok((s.clone(), item.span.clone())),
+            _ => Err(wrong()),
+        };
+        items.iter().map(text).collect()
+    }
+
     /// What a stage does on a terrain of a kind.
-    pub(super) fn work(&self, name: &str, span: &Range<usize>, node: &mut Node, kind: Option<&str>) -> Result<Work> {
+    pub(super) fn work(&self, name: &str, span: &Range<usize>, node: &mut Node, kind: Option<Kind>) -> Result<Work> {
         if name == EVOLVE {
             return self.evolve(span, node, kind);
         }
@@ -139,21 +167,20 @@ impl EntryReader<'_> {
             (_, None) => None,
         };
         if stage.verb != Verb::Process {
-            self.check(stage, node)?;
-            return Ok(Work::Once(stage, node.json()));
+            return Ok(Work::Once(self.read(stage, node)?));
         }
         let watch = node.remove("watch");
-        self.check(stage, node)?;
-        let Some(clock) = given.or(stage.own_clock(&node.json())?.map(Clock::of_rounds)) else {
+        let part = self.read(stage, node)?;
+        let Some(clock) = given.or(part.own_clock().map(Clock::of_rounds)) else {
             let hint = Some("for example clock = { duration = \"1 Myr\", dt = \"10 kyr\" }".into());
             return Err(self.error(span, format!("process `{name}` has no `clock`"), hint));
         };
         let watch = watch.map(|entry| self.watch(&entry, &clock)).transpose()?;
-        self.may_refine(&clock, stage, &node.json(), span)?;
-        Ok(Work::Evolve(Box::new(Evolve { clock, parts: vec![(stage, node.json())], watch })))
+        self.may_refine(&clock, &part, span)?;
+        Ok(Work::Evolve(Box::new(Evolve { clock, parts: vec![part], watch })))
     }
 
-    fn evolve(&self, span: &Range<usize>, node: &mut Node, kind: Option<&str>) -> Result<Work> {
+    fn evolve(&self, span: &Range<usize>, node: &mut Node, kind: Option<Kind>) -> Result<Work> {
         let Some(clock) = node.remove("clock") else {
             let hint = Some("for example clock = { duration = \"1 Myr\", dt = \"10 kyr\" }".into());
             return Err(self.error(span, "`evolve` has no `clock`", hint));
@@ -193,20 +220,20 @@ impl EntryReader<'_> {
                     None,
                 ));
             }
-            self.check(stage, &item)?;
-            self.may_refine(&clock, stage, &item.json(), &name_span)?;
-            parts.push((stage, item.json()));
+            let part = self.read(stage, &mut item)?;
+            self.may_refine(&clock, &part, &name_span)?;
+            parts.push(part);
         }
         Ok(Work::Evolve(Box::new(Evolve { clock, parts, watch })))
     }
 
     /// Refuses coarse levels for processes that count rounds: what they leave is no steady state.
-    fn may_refine(&self, clock: &Clock, stage: &Stage, json: &Json, span: &Range<usize>) -> Result<()> {
-        if clock.refine > 0 && stage.own_clock(json)?.is_some() {
+    fn may_refine(&self, clock: &Clock, part: &ReadStage, span: &Range<usize>) -> Result<()> {
+        if clock.refine > 0 && part.own_clock().is_some() {
             let hint = Some("take `refine` out of the clock, or this process out of the stage".into());
             return Err(self.error(
                 span,
-                format!("`{}` counts its own rounds and has no coarser levels", stage.name),
+                format!("`{}` counts its own rounds and has no coarser levels", part.stage().name),
                 hint,
             ));
         }
@@ -214,32 +241,59 @@ impl EntryReader<'_> {
     }
 
     /// The stage of a name that runs on a kind of terrain.
-    fn find(&self, name: &str, span: &Range<usize>, kind: Option<&str>) -> Result<&'static Stage> {
-        let named: Vec<_> = STAGES.iter().filter(|s| s.name == name).collect();
-        if named.is_empty() {
-            let names = STAGES.iter().map(|s| s.name).chain([EVOLVE]);
+    fn find(&self, name: &str, span: &Range<usize>, kind: Option<Kind>) -> Result<&'static Stage> {
+        let Some(found) = stage(name) else {
+            let names = stages().map(|s| s.name).chain([EVOLVE]);
             let hint = nearest(name, names).map(|n| format!("did you mean `{n}`?"));
             let hint = hint.or_else(|| Some("`landform stages` lists them all".into()));
             return Err(self.error(span, format!("stage `{name}` is not known"), hint));
+        };
+        if found.act_on(kind).is_some() {
+            return Ok(found);
         }
-        if let Some(stage) = named.iter().find(|s| s.on.is_none() || s.on == kind) {
-            return Ok(stage);
-        }
-        let supports: Vec<_> = named.iter().filter_map(|s| s.on).collect();
         let Some(kind) = kind else {
             let hint = Some("begin with a generator such as `stream_graph`, `noise` or `elevation_file`".into());
             return Err(self.error(span, format!("`{name}` has no terrain to work on"), hint));
         };
-        let hint = STAGES
-            .iter()
-            .find(|s| s.verb == Verb::Convert && s.on == Some(kind) && supports.contains(&s.to))
-            .map(|s| format!("put `{}` before it", s.name));
+        let leads = |s: &&Stage| {
+            s.verb == Verb::Convert
+                && s.act_on(Some(kind)).and_then(|a| a.to).is_some_and(|to| found.kinds().any(|k| k == to))
+        };
+        let hint = stages().find(leads).map(|s| format!("put `{}` before it", s.name));
+        let supports: Vec<_> = found.kinds().map(Kind::name).collect();
         let what = format!("`{name}` does not work on a {kind}; it works on a {}", supports.join(" or a "));
         Err(self.error(span, what, hint))
     }
 
     fn clock(&self, node: &Node) -> Result<Clock> {
-        self.table("clock", node, Clock::check)
+        let mut node = node.clone();
+        self.modernize("clock", Clock::RENAMED, &mut node)?;
+        self.table("clock", &node, Clock::check)
+    }
+
+    /// Gives words of earlier recipes their names of today, with a note.
+    fn modernize(&self, stage: &str, renamed: &[(&str, &str)], node: &mut Node) -> Result<()> {
+        for (old, new) in renamed {
+            // A word that is only read on has no new place.
+            let (new, moves) = new.strip_prefix('!').map_or((*new, true), |n| (n, false));
+            let Some(entry) = node.get(old).filter(|_| !moves).cloned().or_else(|| node.remove(old)) else { continue };
+            let path: Vec<&str> = new.split('.').collect();
+            if moves {
+                if node.has(&path) {
+                    let what = format!("`{stage}`: `{old}` and `{new}` are the same; one is enough");
+                    return Err(self.error(&entry.span, what, Some(format!("take `{old}` out"))));
+                }
+                if !node.set(&path, entry.node) {
+                    return Err(self.error(&entry.span, format!("`{stage}`: `{old}` is `{new}` now"), None));
+                }
+            }
+            let note = format!("`{stage}`: `{old}` is called `{new}` now");
+            let mut notes = self.notes.borrow_mut();
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+        Ok(())
     }
 
     fn watch(&self, entry: &super::tree::Entry, clock: &Clock) -> Result<Watch> {
@@ -249,24 +303,24 @@ impl EntryReader<'_> {
     }
 
     /// A table that belongs to a stage but is none of its parameters.
-    fn table<P>(&self, name: &str, node: &Node, check: fn(&P) -> Result<()>) -> Result<P>
+    pub(super) fn table<P>(&self, name: &str, node: &Node, check: fn(&P) -> Result<()>) -> Result<P>
     where
         P: JsonSchema + Serialize + DeserializeOwned,
     {
         let refused = |refusal| self.refuse(name, &landform_core::verb::properties::<P>(), refusal, node);
         let params: P = serde_path_to_error::deserialize(&node.json()).map_err(|e| refused(Refusal::Shape(e)))?;
         let values = serde_json::to_value(&params).unwrap_or_default();
-        let ranges = landform_core::verb::validate_ranges(&schema_of::<P>(), &values);
+        let schema = schemars::schema_for!(P).to_value();
+        let ranges = landform_core::verb::validate_ranges(&schema, &values);
         ranges.and_then(|()| check(&params)).map_err(|e| refused(Refusal::Value(e)))?;
         Ok(params)
     }
 
-    fn check(&self, stage: &'static Stage, node: &Node) -> Result<()> {
-        self.check_form(stage.name, &stage.form, node)
-    }
-
-    fn check_form(&self, name: &str, form: &Form, node: &Node) -> Result<()> {
-        (form.normalize)(&node.json()).map(drop).map_err(|e| self.refuse(name, &(form.properties)(), e, node))
+    /// Reads the parameters of a stage, once.
+    fn read(&self, stage: &'static Stage, node: &mut Node) -> Result<ReadStage> {
+        self.modernize(stage.name, stage.renamed, node)?;
+        let refused = |refusal| self.refuse(stage.name, &(stage.form.properties)(), refusal, node);
+        stage.read(&node.json()).map_err(refused)
     }
 
     /// The refusal with its place and a hint.
@@ -275,12 +329,14 @@ impl EntryReader<'_> {
             Refusal::Shape(error) => {
                 let span = node.locate(error.path());
                 let message = without_place(&error.inner().to_string());
-                let known: Vec<String> = properties.iter().map(|p| p.0.clone()).collect();
+                // What earlier recipes had here stands in a table of its own now.
+                let moved = stage(name).into_iter().flat_map(|s| s.renamed).map(|r| r.0.to_string());
+                let known: Vec<String> = properties.iter().map(|p| p.0.clone()).chain(moved).collect();
                 self.shape_error(name, &span, error.path(), &message, &known, node)
             }
             Refusal::Value(error) => {
                 let span = match &error {
-                    Error::Parameter { name, .. } => node.get(name).map_or(node.span.clone(), |e| e.node.span.clone()),
+                    Error::Parameter { name, .. } => node.span_at(name),
                     _ => node.span.clone(),
                 };
                 self.error(&span, format!("`{name}`: {error}"), error.hint())

@@ -18,8 +18,8 @@ macro_rules! recipe {
         GalleryRecipe {
             name: $name,
             file: $file,
-            text: include_str!(concat!("../../../../gallery/", $file)),
-            data: &[$(($data, include_bytes!(concat!("../../../../gallery/", $data)))),*],
+            text: include_str!(concat!("../../gallery/", $file)),
+            data: &[$(($data, include_bytes!(concat!("../../gallery/", $data)))),*],
         }
     };
 }
@@ -94,4 +94,6 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("confluence", "66_confluence.toml"),
     recipe!("fans", "67_alluvial_fans.toml"),
     recipe!("delta", "68_delta.toml"),
+    recipe!("tableland", "69_tableland.toml"),
+    recipe!("cuestas", "70_cuestas.toml"),
 ];

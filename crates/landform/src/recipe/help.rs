@@ -2,9 +2,14 @@
 
 use serde_json::{Value as Json, json};
 
+use landform_core::stage::{Stage, Verb};
+use landform_core::terrain::MaterialParams;
+use landform_core::verb::Environment;
+use schemars::JsonSchema;
+
 use super::entry::EVOLVE;
-use super::stage::schema_of;
-use super::{Clock, Recipe, STAGES, Stage, Verb, Watch};
+use super::stages::{stage, stages};
+use super::{Clock, Recipe, Watch};
 
 /// A parameter, as help shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,14 +43,7 @@ pub struct Citation {
 
 /// Names of the stages with their verb, summary and the kinds that they run on, once each.
 pub fn catalogue() -> Vec<(&'static Stage, Vec<&'static str>)> {
-    let mut list: Vec<(&'static Stage, Vec<&'static str>)> = Vec::new();
-    for stage in STAGES {
-        match list.iter_mut().find(|(s, _)| s.name == stage.name) {
-            Some((_, kinds)) => kinds.extend(stage.on),
-            None => list.push((stage, stage.on.into_iter().collect())),
-        }
-    }
-    list
+    stages().map(|stage| (stage, stage.kinds().map(|k| k.name()).collect())).collect()
 }
 
 /// The parameters of a stage of the table, or of a clock for `evolve`.
@@ -59,7 +57,7 @@ pub fn parameters(name: &str) -> Option<Vec<Parameter>> {
         all.extend(watch.into_iter().map(|p| Parameter { name: format!("watch.{}", p.name), ..p }));
         return Some(all);
     }
-    let stage = STAGES.iter().find(|s| s.name == name)?;
+    let stage = stage(name)?;
     Some(list((stage.form.properties)(), &(stage.form.defaults)()))
 }
 
@@ -113,13 +111,13 @@ pub fn describe(name: &str) -> Option<String> {
                 .into(),
         );
     }
-    STAGES.iter().find(|s| s.name == name).map(Stage::summary)
+    stage(name).map(Stage::summary)
 }
 
 /// The papers behind a recipe.
 pub fn cite(recipe: &Recipe) -> Vec<Citation> {
     let mut citations: Vec<Citation> = Vec::new();
-    for (stage, _) in recipe.entries.iter().flat_map(|e| e.work.parts()) {
+    for stage in recipe.entries.iter().flat_map(|e| e.work.parts()).map(|p| p.stage()) {
         for source in stage.sources {
             match citations.iter_mut().find(|c| c.title == source.title) {
                 Some(c) if c.stages.contains(&stage.name) => {}
@@ -153,7 +151,13 @@ pub fn schema() -> Json {
         definitions.extend(inner);
         stage_refs.push(json!({ "$ref": format!("#/$defs/{}", stage.name) }));
     }
-    for (name, mut schema) in [("clock", schema_of::<Clock>()), ("watch", schema_of::<Watch>())] {
+    let tables = [
+        ("clock", schema_of::<Clock>()),
+        ("watch", schema_of::<Watch>()),
+        ("environment", schema_of::<Environment>()),
+        ("material", schema_of::<MaterialParams>()),
+    ];
+    for (name, mut schema) in tables {
         if let Some(Json::Object(inner)) = schema.get_mut("$defs").map(Json::take) {
             definitions.extend(inner);
         }
@@ -176,10 +180,18 @@ pub fn schema() -> Json {
         "properties": {
             "seed": { "type": "integer", "minimum": 0, "default": 0, "description": "Seed of everything that is random." },
             "title": { "type": "string", "description": "Title, for pictures and reports." },
+            "environment": { "$ref": "#/$defs/environment" },
+            "materials": { "type": "object", "additionalProperties": { "$ref": "#/$defs/material" },
+                "description": "Changes to the table of materials, and new ones." },
             "stage": { "type": "array", "minItems": 1, "items": { "oneOf": stage_refs } },
         },
         "$defs": definitions,
     })
+}
+
+/// The JSON schema of a type.
+fn schema_of<P: JsonSchema>() -> Json {
+    schemars::schema_for!(P).to_value()
 }
 
 /// A stage's schema with the words that every stage takes.
@@ -193,6 +205,7 @@ fn lift(stage: &Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json
     if own_stage {
         schema["properties"]["label"] = json!({ "type": "string" });
         schema["properties"]["from"] = json!({ "type": "string" });
+        schema["properties"]["with"] = json!({ "type": "array", "items": { "type": "string" } });
         if stage.verb == Verb::Process {
             schema["properties"]["clock"] = json!({ "$ref": "#/$defs/clock" });
             schema["properties"]["watch"] = json!({ "$ref": "#/$defs/watch" });

@@ -1,16 +1,19 @@
 //! From text to a recipe.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
 use landform_core::error::nearest;
+use landform_core::random::Seed;
+use landform_core::terrain::{Kind, MaterialParams, Materials};
+use landform_core::verb::Environment;
 use landform_core::{Error, Result};
 use serde_json::Value as Json;
 
-use super::entry::{Entry, EntryReader, Work};
-use super::stage::stage_seed;
+use super::entry::{Entry, EntryReader};
+use super::stages::{stage, stages as known_stages};
 use super::tree::{Node, Value};
-use super::{STAGES, Watch};
 
 /// A recipe: read, checked, ready to run.
 #[derive(Clone, Debug)]
@@ -21,6 +24,10 @@ pub struct Recipe {
     pub seed: u64,
     /// Folder that paths are relative to.
     pub folder: PathBuf,
+    /// Sea level, rain, winds and materials, for stages that say nothing themselves.
+    pub environment: Arc<Environment>,
+    /// What a person should know: words of earlier recipes, and what they are called now.
+    pub notes: Vec<String>,
     pub(super) entries: Vec<Entry>,
 }
 
@@ -33,7 +40,7 @@ pub struct Override {
 }
 
 impl Override {
-    /// Reads `stage.key=value`, `stage.table.key=value`, `seed=value` or `title=value`.
+    /// Reads `stage.key=value`, `stage.table.key=value`, `environment.key=value`, `materials.name.key=value`, `seed=value` or `title=value`.
     ///
     /// # Errors
     /// [`Error::Recipe`] if there is no `=` or no key.
@@ -53,7 +60,9 @@ impl Override {
     }
 }
 
-const TOP: [&str; 3] = ["seed", "title", "stage"];
+const TOP: [&str; 5] = ["seed", "title", "environment", "materials", "stage"];
+/// Labels that would be taken for something else.
+const RESERVED: [&str; 3] = ["environment", "materials", "grid"];
 const MOST_STAGES: usize = 1_000;
 
 impl Recipe {
@@ -79,17 +88,21 @@ impl Recipe {
     /// [`Error::Recipe`] with line and column, what was expected, and the nearest name.
     pub fn parse(text: &str, title: &str, folder: &Path, overrides: &[Override]) -> Result<Self> {
         let mut root = Node::parse(text)?;
-        let reader = EntryReader { text };
+        let reader = EntryReader { text, notes: Default::default() };
         for o in overrides {
             apply(&mut root, o)?;
         }
         if let Some(unknown) = root.entries().iter().find(|e| !TOP.contains(&e.key.as_str())) {
             let hint = nearest(&unknown.key, TOP).map(|n| format!("did you mean `{n}`?"));
-            let what = format!("`{}` is not known here; a recipe has `seed`, `title` and [[stage]]", unknown.key);
+            let what = format!(
+                "`{}` is not known here; a recipe has `seed`, `title`, [environment], [materials] and [[stage]]",
+                unknown.key
+            );
             return Err(reader.error(&unknown.span, what, hint));
         }
         let seed = read_seed(&reader, &root)?;
         let title = reader.take_text(&mut root, "title")?.map_or(title.to_string(), |t| t.0);
+        let environment = Arc::new(read_environment(&reader, &mut root)?);
         let stages = match root.remove("stage") {
             Some(entry) => match entry.node.value {
                 Value::Array(items) if items.len() <= MOST_STAGES => items,
@@ -105,7 +118,8 @@ impl Recipe {
             return Err(Error::Recipe { at: None, what: "the recipe has no stages".into(), hint });
         }
         let entries = read_stages(&reader, stages, seed)?;
-        Ok(Self { title, seed, folder: folder.into(), entries })
+        let notes = reader.notes.into_inner();
+        Ok(Self { title, seed, folder: folder.into(), environment, notes, entries })
     }
 }
 
@@ -119,9 +133,28 @@ fn read_seed(reader: &EntryReader, root: &Node) -> Result<u64> {
     }
 }
 
+fn read_environment(reader: &EntryReader, root: &mut Node) -> Result<Environment> {
+    let mut environment = match root.remove("environment") {
+        Some(entry) => reader.table("environment", &entry.node, Environment::check)?,
+        None => Environment::default(),
+    };
+    let mut changes: BTreeMap<String, MaterialParams> = BTreeMap::new();
+    if let Some(entry) = root.remove("materials") {
+        let Value::Table(materials) = entry.node.value else {
+            let hint = Some("write [materials] and below it sandstone = { erodibility = \"1e-6 1/yr\" }".into());
+            return Err(reader.error(&entry.node.span, "`materials` is not a table", hint));
+        };
+        for material in materials {
+            changes.insert(material.key.clone(), reader.table(&material.key, &material.node, |_| Ok(()))?);
+        }
+    }
+    environment.materials = Materials::with(&changes)?;
+    Ok(environment)
+}
+
 fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec<Entry>> {
     let mut entries: Vec<Entry> = Vec::new();
-    let mut kinds: BTreeMap<String, &'static str> = BTreeMap::new();
+    let mut kinds: BTreeMap<String, Option<Kind>> = BTreeMap::new();
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     let mut kind = None;
     for mut node in stages {
@@ -135,28 +168,46 @@ fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec
         };
         let label = reader.take_text(&mut node, "label")?;
         let from = reader.take_text(&mut node, "from")?;
-        if let Some((from, span)) = &from {
-            kind = Some(*kinds.get(from).ok_or_else(|| {
-                let hint = nearest(from, kinds.keys().map(String::as_str)).map(|n| format!("did you mean `{n}`?"));
-                reader.error(span, format!("no stage before this one has the label `{from}`"), hint)
-            })?);
+        let with = reader.take_texts(&mut node, "with")?;
+        let known = |(label, span): &(String, std::ops::Range<usize>)| {
+            kinds.get(label).copied().ok_or_else(|| {
+                let hint = nearest(label, kinds.keys().map(String::as_str)).map(|n| format!("did you mean `{n}`?"));
+                reader.error(span, format!("no stage before this one has the label `{label}`"), hint)
+            })
+        };
+        if let Some(from) = &from {
+            kind = known(from)?;
         }
+        with.iter().try_for_each(|label| known(label).map(drop))?;
         let work = reader.work(&name, &name_span, &mut node, kind)?;
-        let after =
-            work.parts().last().map_or("", |(s, _)| if s.verb.changes_terrain() { s.to } else { kind.unwrap_or("") });
-        kind = Some(after);
+        if let Some((_, span)) = with.first()
+            && !work.parts().iter().any(|part| part.stage().with)
+        {
+            let takers =
+                known_stages().filter(|s| s.with).map(|s| format!("`{}`", s.name)).collect::<Vec<_>>().join(", ");
+            let hint = Some(format!("these do: {takers}"));
+            return Err(reader.error(span, format!("`{name}` takes no other landscape (`with`)"), hint));
+        }
+        let to = work.parts().last().and_then(|part| part.stage().act_on(kind)).and_then(|act| act.to);
+        let after = to.or(kind);
+        kind = after;
         let count = counts.entry(name.clone()).or_default();
         *count += 1;
         let identity = label.as_ref().map_or_else(|| format!("{name}#{count}"), |l| l.0.clone());
-        if let Some((label, span)) = &label
-            && kinds.insert(label.clone(), after).is_some()
-        {
-            return Err(reader.error(span, format!("the label `{label}` is given twice"), None));
+        if let Some((label, span)) = &label {
+            if RESERVED.contains(&label.as_str()) {
+                let hint = Some("give it another name".into());
+                return Err(reader.error(span, format!("`{label}` is a word of recipes and no label"), hint));
+            }
+            if kinds.insert(label.clone(), after).is_some() {
+                return Err(reader.error(span, format!("the label `{label}` is given twice"), None));
+            }
         }
         entries.push(Entry {
-            seed: stage_seed(seed, &identity),
+            seed: Seed(seed).named(&identity),
             label: label.map(|l| l.0),
             from: from.map(|f| f.0),
+            with: with.into_iter().map(|w| w.0).collect(),
             kind: after,
             name,
             work,
@@ -166,25 +217,26 @@ fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec
     Ok(entries)
 }
 
-/// Two exports to one path would leave only the second.
+/// Two stages that write one file would leave only the second.
 fn check_paths(entries: &[Entry]) -> Result<()> {
     let mut seen = BTreeMap::new();
     for (k, entry) in entries.iter().enumerate() {
-        let mut paths: Vec<String> =
-            entry.work.watch().into_iter().flat_map(Watch::paths).map(|p| p.1.into()).collect();
-        if let Work::Once(stage, _) = &entry.work
-            && !stage.verb.changes_terrain()
-        {
-            paths.extend(entry.work.normalized()["path"].as_str().map(String::from));
-        }
-        for path in paths {
-            if let Some(first) = seen.insert(path.clone(), k + 1) {
-                let what = format!("stages {first} and {} both write `{path}`", k + 1);
+        for path in entry.work.outputs() {
+            if let Some(first) = seen.insert(plain(&path), k + 1) {
+                let what = match first == k + 1 {
+                    true => format!("stage {first} writes `{path}` twice"),
+                    false => format!("stages {first} and {} both write `{path}`", k + 1),
+                };
                 return Err(Error::Recipe { at: None, what, hint: Some("give one of them another `path`".into()) });
             }
         }
     }
     Ok(())
+}
+
+/// A path without steps that lead nowhere: "./a//b.png" is "a/b.png".
+fn plain(path: &str) -> PathBuf {
+    Path::new(path).components().filter(|c| !matches!(c, Component::CurDir)).collect()
 }
 
 /// Sets a key in every stage (or process within `evolve`) of a name, or in the one of a label.
@@ -197,6 +249,11 @@ fn apply(root: &mut Node, o: &Override) -> Result<()> {
             return Err(Error::Recipe { at: None, what: format!("`--set {}`: which stage?", o.path[0]), hint });
         }
         root.set(&path, value);
+        return Ok(());
+    }
+    if ["environment", "materials"].contains(&o.stage.as_str()) {
+        let whole: Vec<&str> = std::iter::once(o.stage.as_str()).chain(path).collect();
+        root.set(&whole, value);
         return Ok(());
     }
     let mut found = false;
@@ -226,7 +283,7 @@ fn apply(root: &mut Node, o: &Override) -> Result<()> {
         return Err(Error::Recipe { at: None, what, hint });
     }
     let hint = nearest(&o.stage, names.iter().map(String::as_str)).map(|n| format!("did you mean `{n}`?"));
-    let known = STAGES.iter().any(|s| s.name == o.stage);
+    let known = stage(&o.stage).is_some();
     let what = if known { "is not in the recipe" } else { "is neither a stage nor a label of the recipe" };
     Err(Error::Recipe { at: None, what: format!("`--set`: `{}` {what}", o.stage), hint })
 }
@@ -241,5 +298,24 @@ fn set_if_named(node: &mut Node, wanted: &str, path: &[&str], value: &Node, name
             names.push(name.clone());
         }
     }
-    hit && node.set(path, value.clone())
+    let path = today(node, path);
+    hit && node.set(&path.iter().map(String::as_str).collect::<Vec<_>>(), value.clone())
+}
+
+/// A path of an earlier recipe's words by their names of today.
+fn today(node: &Node, path: &[&str]) -> Vec<String> {
+    let name = node.get("use").and_then(|e| match &e.node.value {
+        Value::Leaf(Json::String(name)) => Some(name.as_str()),
+        _ => None,
+    });
+    let of_stage = |p: &[&str]| name.and_then(stage).and_then(|s| s.renamed.iter().find(|r| r.0 == p[0])).map(|r| r.1);
+    let owned = |p: &[&str]| p.iter().map(|w| w.to_string()).collect::<Vec<_>>();
+    match path {
+        ["clock", "max_steps"] if !node.has(path) => owned(&["clock", "iterations"]),
+        [_, rest @ ..] => match of_stage(path).filter(|new| !new.starts_with('!') && node.get(path[0]).is_none()) {
+            Some(new) => new.split('.').map(String::from).chain(owned(rest)).collect(),
+            None => owned(path),
+        },
+        [] => Vec::new(),
+    }
 }

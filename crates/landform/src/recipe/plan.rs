@@ -2,14 +2,15 @@
 
 use std::path::Path;
 
+use landform_core::stage::Verb;
+use landform_core::terrain::{Kind, bytes_a_node};
 use landform_core::verb::{Context, Estimate};
 use landform_core::{Error, Result};
 use landform_io::import::FileMaps;
 
+use super::Recipe;
 use super::cache::{Cache, input_paths, key};
 use super::entry::{Entry, Work};
-use super::stage::Act;
-use super::{Recipe, Verb};
 
 /// A recipe's plan.
 #[derive(Clone, Debug)]
@@ -30,7 +31,7 @@ pub struct PlannedStage {
     /// What it does.
     pub verb: Verb,
     /// Kind of the terrain after it.
-    pub kind: &'static str,
+    pub kind: Option<Kind>,
     /// Nodes of the terrain after it.
     pub nodes: u64,
     /// Bytes at its peak.
@@ -41,10 +42,6 @@ pub struct PlannedStage {
     pub(super) key: String,
 }
 
-/// Measured bytes a node while processes run.
-const RASTER_PROCESS: u64 = 150;
-const MESH_PROCESS: u64 = 420;
-
 impl Recipe {
     /// Checks what can be checked without running: files are there, sizes, memory; and what is cached.
     ///
@@ -54,8 +51,8 @@ impl Recipe {
         let cache = cache.map(Cache::new);
         let maps = FileMaps::new(&self.folder);
         let mut stages: Vec<PlannedStage> = Vec::new();
-        let mut current = (Estimate::default(), String::new());
-        let mut labelled = std::collections::BTreeMap::new();
+        let mut current = (Estimate::default(), self.surroundings(), None);
+        let mut labelled: std::collections::BTreeMap<String, (Estimate, String, Option<Kind>)> = Default::default();
         for (index, entry) in self.entries.iter().enumerate() {
             if let Some(from) = &entry.from
                 && let Some(known) = labelled.get(from)
@@ -64,20 +61,24 @@ impl Recipe {
             }
             let fail = |source| Error::Stage { index: index + 1, name: entry.name.clone(), source: Box::new(source) };
             self.check_inputs(entry).map_err(fail)?;
-            let context = Context { seed: entry.seed, maps: &maps };
-            current.0 = estimate(entry, current.0, &context).map_err(fail)?;
+            let context =
+                Context { seed: entry.seed, maps: &maps, environment: &self.environment, ..Context::default() };
+            current.0 = estimate(entry, current.2, current.0, &context).map_err(fail)?;
             if entry.work.changes_terrain() {
-                current.1 = key(&current.1, entry, &self.folder, salt);
+                let beside = entry.with.iter().filter_map(|label| labelled.get(label)).map(|l| l.1.as_str());
+                let before: Vec<&str> = std::iter::once(current.1.as_str()).chain(beside).collect();
+                current.1 = key(&before, entry, &self.folder, salt);
             }
+            current.2 = entry.kind;
             if let Some(label) = &entry.label {
                 labelled.insert(label.clone(), current.clone());
             }
             let parts = entry.work.parts();
-            let names: Vec<_> = parts.iter().map(|(s, _)| s.name).collect();
+            let names: Vec<_> = parts.iter().map(|p| p.stage().name).collect();
             stages.push(PlannedStage {
                 name: if parts.len() > 1 { format!("evolve: {}", names.join(" + ")) } else { names.join("") },
                 label: entry.label.clone(),
-                verb: parts[0].0.verb,
+                verb: entry.work.verb(),
                 kind: entry.kind,
                 nodes: current.0.nodes,
                 bytes: current.0.bytes,
@@ -89,9 +90,19 @@ impl Recipe {
         Ok(Plan { stages, bytes })
     }
 
+    /// What the key of the first stage begins with: what surrounds the landscape.
+    fn surroundings(&self) -> String {
+        let environment = &*self.environment;
+        if *environment == Default::default() {
+            return String::new();
+        }
+        let said = serde_json::to_string(environment).unwrap_or_default();
+        format!("{said} {}", serde_json::to_string(&environment.materials).unwrap_or_default())
+    }
+
     fn check_inputs(&self, entry: &Entry) -> Result<()> {
-        for (stage, json) in entry.work.parts() {
-            for path in input_paths(stage.inputs, json) {
+        for part in entry.work.parts() {
+            for path in input_paths(part.stage().inputs, part.parameters()) {
                 let path = self.folder.join(path);
                 std::fs::metadata(&path).map_err(|e| Error::io("read", &path, e))?;
             }
@@ -100,16 +111,9 @@ impl Recipe {
     }
 }
 
-fn estimate(entry: &Entry, before: Estimate, context: &Context) -> Result<Estimate> {
+fn estimate(entry: &Entry, kind: Option<Kind>, before: Estimate, context: &Context) -> Result<Estimate> {
     match &entry.work {
-        Work::Evolve(..) => {
-            let per_node = if entry.kind == "mesh" { MESH_PROCESS } else { RASTER_PROCESS };
-            Ok(Estimate { bytes: before.nodes * per_node, ..before })
-        }
-        Work::Once(stage, json) => match stage.act {
-            Act::Generate { estimate, .. } => estimate(json, context),
-            Act::Edit { estimate, .. } | Act::Convert { estimate, .. } => estimate(json, before),
-            _ => Ok(Estimate { bytes: before.nodes * RASTER_PROCESS, ..before }),
-        },
+        Work::Evolve(..) => Ok(Estimate { bytes: before.nodes * entry.kind.map_or(0, bytes_a_node), ..before }),
+        Work::Once(stage) => stage.estimate(kind, before, context),
     }
 }

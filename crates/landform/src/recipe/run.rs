@@ -6,19 +6,18 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use landform_core::random::Seed;
-use landform_core::sim::{Every, Simulation};
-use landform_core::terrain::Terrain;
-use landform_core::verb::{CancelToken, Context, Event, Outcome, Output, Stopped};
+use landform_core::sim::{Every, Model, Simulation};
+use landform_core::stage::Verb;
+use landform_core::terrain::{AnyTerrain, Surface, Terrain, Visit};
+use landform_core::verb::{CancelToken, Context, Event, Landscape, Outcome, Output, Stopped};
 use landform_core::{Error, Result};
 use landform_io::files::write_whole;
 use landform_io::import::FileMaps;
 
-use super::any_terrain::Held;
 use super::cache::Cache;
 use super::entry::{Entry, Evolve, Work};
-use super::stage::{Act, AnyLandscape};
 use super::watch::{Watch, Watcher};
-use super::{AnyTerrain, Plan, Recipe};
+use super::{Plan, Recipe};
 
 /// What a run tells while it goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,8 +112,14 @@ impl Recipe {
     /// [`Error::Stage`] with what went wrong in it.
     pub fn run(&self, out: &mut dyn Output, options: &Options) -> Result<Ran> {
         let cache = options.cache.as_deref().map(Cache::new);
-        let runner =
-            Runner { recipe: self, options, cache, maps: FileMaps::new(&self.folder), damaged: Default::default() };
+        let runner = Runner {
+            recipe: self,
+            options,
+            cache,
+            maps: Arc::new(FileMaps::new(&self.folder)),
+            damaged: Default::default(),
+        };
+        self.notes.iter().for_each(|note| (options.progress)(Signal::Note(note.clone())));
         loop {
             let plan = self.plan(options.cache.as_deref(), &options.salt)?;
             let ran = runner.run(&plan, out);
@@ -134,7 +139,7 @@ struct Runner<'a> {
     recipe: &'a Recipe,
     options: &'a Options<'a>,
     cache: Option<Cache>,
-    maps: FileMaps,
+    maps: Arc<FileMaps>,
     /// Key of a cached terrain that could not be read, and why.
     damaged: std::cell::RefCell<Option<(String, String)>>,
 }
@@ -177,7 +182,13 @@ impl Runner<'_> {
                 let terrain = self.terrain(&mut current).map_err(fail)?;
                 self.tell(entry, &terrain, &current.history, out).map_err(fail)?;
             } else {
-                match self.change(entry, &mut current, &planned.key, out).map_err(fail)? {
+                let mut with = Vec::new();
+                for label in &entry.with {
+                    if let Some(slot) = labelled.get_mut(label.as_str()) {
+                        with.push((label.clone(), self.terrain(slot).map_err(fail)?));
+                    }
+                }
+                match self.change(entry, &mut current, &with, &planned.key, out).map_err(fail)? {
                     Some(slot) => current = slot,
                     None => return Ok(Ran::Interrupted(self.options.checkpoint.clone())),
                 }
@@ -213,29 +224,30 @@ impl Runner<'_> {
     }
 
     /// Runs a stage that changes the terrain; none if it was interrupted.
-    fn change(&self, entry: &Entry, current: &mut Slot, key: &str, out: &mut dyn Output) -> Result<Option<Slot>> {
-        let context = Context { seed: entry.seed, maps: &self.maps };
+    fn change(
+        &self,
+        entry: &Entry,
+        current: &mut Slot,
+        with: &[(String, Arc<AnyTerrain>)],
+        key: &str,
+        out: &mut dyn Output,
+    ) -> Result<Option<Slot>> {
+        let environment = &*self.recipe.environment;
+        let context = Context { seed: entry.seed, maps: &*self.maps, environment, with, ..Context::default() };
         let mut outcome = None;
         let terrain = match &entry.work {
             Work::Evolve(evolve) => {
                 let before = self.terrain(current)?;
-                let Some((terrain, ended)) = self.evolve(&before, evolve, entry.seed, key, out)? else {
+                let evolving = Evolving { runner: self, evolve, seed: entry.seed, key, out };
+                let Some((terrain, ended)) = before.visit(evolving)? else {
                     return Ok(None);
                 };
                 (self.options.progress)(Signal::Outcome(ended));
                 outcome = Some(ended);
                 terrain
             }
-            Work::Once(stage, json) => match stage.act {
-                Act::Generate { make, .. } => make(json, &context)?,
-                Act::Convert { convert, .. } => convert(json, &*self.terrain(current)?)?,
-                Act::Edit { edit, .. } => {
-                    let mut terrain = (*self.terrain(current)?).clone();
-                    edit(json, &mut terrain, &context)?;
-                    terrain
-                }
-                _ => (*self.terrain(current)?).clone(),
-            },
+            Work::Once(stage) if stage.stage().verb == Verb::Generate => stage.apply(None, &context)?,
+            Work::Once(stage) => stage.apply(Some(&*self.terrain(current)?), &context)?,
         };
         let event = event(entry, outcome);
         if let Some(cache) = &self.cache
@@ -244,7 +256,7 @@ impl Runner<'_> {
             (self.options.progress)(Signal::Note(format!("cache: {e}; the run goes on without it")));
         }
         let mut history = std::mem::take(&mut current.history);
-        if matches!(&entry.work, Work::Once(s, _) if s.on.is_none()) {
+        if entry.work.verb() == Verb::Generate {
             history.clear();
         }
         history.push(event);
@@ -252,37 +264,14 @@ impl Runner<'_> {
     }
 
     fn tell(&self, entry: &Entry, terrain: &AnyTerrain, history: &[Event], out: &mut dyn Output) -> Result<()> {
-        let Work::Once(stage, json) = &entry.work else { return Ok(()) };
-        match stage.act {
-            Act::Export(export) => {
-                let landscape = AnyLandscape { terrain, history, seed: self.recipe.seed, title: &self.recipe.title };
-                export(json, &landscape, out)
-            }
-            Act::Measure(measure) => {
-                let (path, value) = measure(json, terrain)?;
-                let text = serde_json::to_string_pretty(&value).map_err(|e| Error::format("JSON", e))?;
-                out.put(&path, text.as_bytes())
-            }
-            _ => Ok(()),
-        }
+        let Work::Once(stage) = &entry.work else { return Ok(()) };
+        let mut landscape = Landscape::plain(terrain);
+        landscape.environment = &self.recipe.environment;
+        (landscape.history, landscape.seed, landscape.title) = (history, self.recipe.seed, &self.recipe.title);
+        stage.tell(&landscape, out)
     }
 
-    /// The one match over representations.
-    fn evolve(
-        &self,
-        terrain: &AnyTerrain,
-        evolve: &Evolve,
-        seed: Seed,
-        key: &str,
-        out: &mut dyn Output,
-    ) -> Result<Option<(AnyTerrain, Outcome)>> {
-        match terrain {
-            AnyTerrain::HeightField(t) => self.evolve_as(t.clone(), evolve, seed, key, out),
-            AnyTerrain::Mesh(t) => self.evolve_as(t.clone(), evolve, seed, key, out),
-        }
-    }
-
-    fn evolve_as<T: Held>(
+    fn evolve<T: Surface>(
         &self,
         terrain: T,
         evolve: &Evolve,
@@ -291,46 +280,37 @@ impl Runner<'_> {
         out: &mut dyn Output,
     ) -> Result<Option<(AnyTerrain, Outcome)>> {
         let clock = &evolve.clock;
-        let mut processes = Simulation::<'static, T>::new(terrain);
-        for (stage, json) in &evolve.parts {
-            if let Act::Process { add, .. } = stage.act {
-                add(json, &mut processes)?;
-            }
+        let mut model = Model::new(terrain);
+        for part in &evolve.parts {
+            part.add_to(T::KIND, &mut model)?;
         }
+        let model = model
+            .dt(clock.step())
+            .seed(seed)
+            .maps(self.maps.clone())
+            .environment(self.recipe.environment.clone())
+            .cancel(self.options.cancel.clone());
         let watcher = evolve.watch.as_ref().filter(|_| !self.options.quiet).map(|w| Watcher::new(w, clock.timeless));
         let watcher = std::sync::Mutex::new(watcher);
         let stop = clock.stop();
         let mut first_residual = None;
-        let mut simulation = processes
-            .shorten()
-            .dt(clock.step())
-            .until(stop)
-            .refine(clock.refine)
-            .seed(seed)
-            .maps(&self.maps)
-            .cancel(self.options.cancel.clone())
-            .observe(Every::Steps(1), |view| {
-                let part = match (stop.time, stop.steady, view.residual) {
-                    (Some(end), ..) => Some(view.time / end),
-                    (None, Some(tolerance), Some(residual)) => {
-                        let first = *first_residual.get_or_insert(residual);
-                        let gone = |r: f64| landform_core::math::log(r.max(tolerance) / tolerance);
-                        Some(1.0 - gone(residual) / gone(first).max(1e-9))
-                    }
-                    _ => None,
-                };
-                let part = match stop.steps {
-                    Some(most) => Some(part.unwrap_or(0.0).max(view.steps as f64 / most as f64)),
-                    None => part,
-                };
-                (self.options.progress)(Signal::Step {
-                    steps: view.steps,
-                    time: view.time,
-                    part,
-                    residual: view.residual,
-                });
-                Ok(ControlFlow::Continue(()))
-            });
+        let mut simulation = Simulation::of(model).until(stop).refine(clock.refine).observe(Every::Steps(1), |view| {
+            let part = match (stop.time, stop.steady, view.residual) {
+                (Some(end), ..) => Some(view.time / end),
+                (None, Some(tolerance), Some(residual)) => {
+                    let first = *first_residual.get_or_insert(residual);
+                    let gone = |r: f64| landform_core::math::log(r.max(tolerance) / tolerance);
+                    Some(1.0 - gone(residual) / gone(first).max(1e-9))
+                }
+                _ => None,
+            };
+            let part = match stop.steps {
+                Some(most) => Some(part.unwrap_or(0.0).max(view.steps as f64 / most as f64)),
+                None => part,
+            };
+            (self.options.progress)(Signal::Step { steps: view.steps, time: view.time, part, residual: view.residual });
+            Ok(ControlFlow::Continue(()))
+        });
         if let Some(watch) = evolve.watch.as_ref().filter(|_| !self.options.quiet) {
             simulation = simulation.observe(watch.interval(), |view| match watcher.lock() {
                 Ok(mut watcher) => watcher.as_mut().map_or(Ok(ControlFlow::Continue(())), |w| w.look(view)),
@@ -343,7 +323,7 @@ impl Runner<'_> {
             simulation = simulation.observe(every, |_| Ok(ControlFlow::Continue(())));
         }
         if let Some(path) = &self.options.checkpoint {
-            simulation = simulation.save_every(self.options.checkpoint_every, |s| save(s, key, path));
+            simulation = simulation.save_every(self.options.checkpoint_every, |model| save(model, key, path));
             if self.options.resume && path.is_file() {
                 simulation = self.resume(simulation, key, path)?;
                 if evolve.watch.is_some() {
@@ -355,7 +335,7 @@ impl Runner<'_> {
         let outcome = simulation.run()?;
         if outcome.stopped == Stopped::Cancelled {
             if let Some(path) = &self.options.checkpoint {
-                save(&simulation, key, path)?;
+                save(simulation.model(), key, path)?;
             }
             return Ok(None);
         }
@@ -388,16 +368,32 @@ impl Runner<'_> {
     }
 }
 
-fn save<T: Terrain>(simulation: &Simulation<'_, T>, key: &str, path: &Path) -> Result<()> {
+/// Runs processes on a terrain of any kind.
+struct Evolving<'a, 'b> {
+    runner: &'a Runner<'b>,
+    evolve: &'a Evolve,
+    seed: Seed,
+    key: &'a str,
+    out: &'a mut dyn Output,
+}
+
+impl Visit for Evolving<'_, '_> {
+    type Out = Result<Option<(AnyTerrain, Outcome)>>;
+    fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
+        self.runner.evolve(terrain.clone(), self.evolve, self.seed, self.key, self.out)
+    }
+}
+
+fn save<T: Terrain>(model: &Model<T>, key: &str, path: &Path) -> Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(|e| Error::io("create folder", folder, e))?;
     }
-    write_whole(path, &simulation.checkpoint(key)?)
+    write_whole(path, &model.save(key)?)
 }
 
 fn event(entry: &Entry, outcome: Option<Outcome>) -> Event {
     let parts = entry.work.parts();
-    let sources = parts.iter().flat_map(|(s, _)| s.sources).map(|s| [s.authors, s.title, s.doi].map(String::from));
+    let sources = parts.iter().flat_map(|p| p.stage().sources).map(|s| [s.authors, s.title, s.doi].map(String::from));
     Event {
         stage: entry.label.as_ref().map_or(entry.name.clone(), |l| format!("{l} ({})", entry.name)),
         parameters: entry.work.normalized().to_string(),

@@ -84,6 +84,24 @@ impl Node {
         Some(entries.remove(at))
     }
 
+    /// Where the value at a path of keys stands ("grid.cell_size"), or as much of the path as there is.
+    pub(super) fn span_at(&self, path: &str) -> Range<usize> {
+        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+        match self.get(first) {
+            Some(entry) if rest.is_empty() || entry.node.entries().is_empty() => entry.node.span.clone(),
+            Some(entry) => entry.node.span_at(rest),
+            None => self.span.clone(),
+        }
+    }
+
+    /// Whether a key is there, descending along a path.
+    pub(super) fn has(&self, path: &[&str]) -> bool {
+        match path {
+            [] => true,
+            [key, rest @ ..] => self.get(key).is_some_and(|e| e.node.has(rest)),
+        }
+    }
+
     /// Sets a key of a table, descending along dots; tables on the way are made.
     pub(super) fn set(&mut self, path: &[&str], node: Self) -> bool {
         let Value::Table(entries) = &mut self.value else { return false };

@@ -6,14 +6,16 @@ use std::time::Instant;
 
 use landform_core::analysis::{Hypsometry, SlopeArea, Summary};
 use landform_core::grid::Shape;
+use landform_core::terrain::{AnyTerrain, Surface, Visit};
 use landform_core::units::YEAR;
-use landform_core::verb::{CancelToken, Measure, MemoryOutput, Outcome, Stopped};
+use landform_core::verb::{CancelToken, Landscape, Measure, MemoryOutput, Outcome, Stopped};
 use landform_core::{Error, Result, parallel};
 use landform_io::export::WritePicture;
 use landform_io::measure::{MeasureSummary, Measured};
 use landform_io::render::Picture;
 
-use super::{AnyTerrain, Options, Override, Ran, Recipe};
+use super::watch::draw;
+use super::{Options, Override, Ran, Recipe};
 
 /// A key and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -249,14 +251,20 @@ fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cancel: &CancelToke
         return Err(Error::Interrupted);
     };
     let seconds = started.elapsed().as_secs_f64();
-    let measure = MeasureSummary::default();
-    let Measured { summary, hypsometry, slope_area } = match &*terrain {
-        AnyTerrain::HeightField(t) => measure.measure(t)?,
-        AnyTerrain::Mesh(t) => measure.measure(t)?,
-    };
+    let Measured { summary, hypsometry, slope_area, .. } = terrain.visit(Summing)?;
     let outcome = history.iter().rev().find_map(|e| e.outcome);
     let terrain = Some(terrain);
     Ok(Row { seed: *seed, values: values.clone(), outcome, summary, hypsometry, slope_area, seconds, terrain })
+}
+
+/// The numbers of a run's end.
+struct Summing;
+
+impl Visit for Summing {
+    type Out = Result<Measured>;
+    fn visit<T: Surface>(self, terrain: &T) -> Result<Measured> {
+        MeasureSummary::default().measure(&Landscape::plain(terrain))
+    }
 }
 
 /// Pictures side by side, each with its number in the corner, in rows that make the sheet about square.
@@ -264,7 +272,7 @@ fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cancel: &CancelToke
 /// # Errors
 /// As drawing; [`Error::Parameter`] without rows.
 pub fn contact_sheet(rows: &[Row], picture: &WritePicture, gap: usize) -> Result<Picture> {
-    let pictures = rows.iter().flat_map(|r| &r.terrain).map(|t| t.draw(picture)).collect::<Result<Vec<_>>>()?;
+    let pictures = rows.iter().flat_map(|r| &r.terrain).map(|t| draw(t, picture)).collect::<Result<Vec<_>>>()?;
     let greatest = |f: fn(&Picture) -> usize| pictures.iter().map(f).max();
     let (Some(width), Some(height)) = (greatest(|p| p.shape.cols), greatest(|p| p.shape.rows)) else {
         return Err(Error::parameter("sheet", "without runs", "at least one run"));

@@ -1,5 +1,6 @@
 //! What is written while processes run: a table of steps, pictures, an animation.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
@@ -7,18 +8,17 @@ use landform_core::algo::outlets::at_or_under;
 use landform_core::analysis::{Summary, summary};
 use landform_core::grid::{BASE_LEVEL, Domain};
 use landform_core::sim::{Every, View};
-use landform_core::terrain::NodeSurface;
+use landform_core::terrain::{AnyTerrain, NodeSurface, Surface, Visit};
 use landform_core::units::{Duration, YEAR};
 use landform_core::verb::{Output, Params, relative_path};
 use landform_core::{Error, Result};
-use landform_io::export::{Drawable, ViewKind, WritePicture};
+use landform_io::export::{ViewKind, WritePicture};
 use landform_io::format::{animation_extension, encode_animation, encode_png};
 use landform_io::render::Picture;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::any_terrain::Held;
-use super::{AnyTerrain, Clock};
+use super::Clock;
 
 /// What to write while processes run.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -146,19 +146,16 @@ impl<'a> Watcher<'a> {
         Self { watch, rows, frames: Vec::new(), timeless, started: std::time::Instant::now() }
     }
 
-    pub(super) fn look<T: Held>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
-        let terrain = view.terrain.clone().wrap().ashore();
+    pub(super) fn look<T: Surface>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
+        let terrain = ashore(view.terrain);
         if self.watch.table.is_some() {
-            match &terrain {
-                AnyTerrain::HeightField(t) => self.row(t, view),
-                AnyTerrain::Mesh(t) => self.row(t, view),
-            }
+            self.row(&*terrain, view);
         }
         if self.watch.animation.is_some() || self.watch.frames.is_some() {
             if self.frames.len() == MOST_FRAMES {
                 return Err(Error::parameter("watch", format!("more than {MOST_FRAMES} frames"), "a longer `every`"));
             }
-            let mut frame = terrain.draw(&self.watch.picture())?;
+            let mut frame = self.watch.picture().draw(&*terrain)?;
             if self.watch.clock {
                 frame.label(&self.time(view.steps, view.time));
             }
@@ -225,33 +222,28 @@ impl<'a> Watcher<'a> {
     }
 }
 
-impl AnyTerrain {
-    /// With water at 0 m as outlets, where nothing else is one: while rivers end at a sea that comes and goes, no node is held.
-    fn ashore(mut self) -> Self {
-        fn of<T: NodeSurface>(terrain: &mut T) {
-            if !terrain.domain().status().contains(&BASE_LEVEL) {
-                let status = at_or_under(0.0, terrain);
-                terrain.set_status(Some(status));
-            }
-        }
-        match &mut self {
-            Self::HeightField(t) => of(t),
-            Self::Mesh(t) => of(t),
-        }
-        self
+/// The terrain with water at 0 m as outlets, where nothing else is one: while rivers end at a sea that comes and goes, no node is held. Only
+/// then a copy is made.
+fn ashore<T: Surface>(terrain: &T) -> Cow<'_, T> {
+    if terrain.domain().status().contains(&BASE_LEVEL) {
+        return Cow::Borrowed(terrain);
     }
+    let mut copy = terrain.clone();
+    copy.set_status(Some(at_or_under(0.0, terrain)));
+    Cow::Owned(copy)
+}
 
-    /// A picture of it.
-    ///
-    /// # Errors
-    /// As [`WritePicture::draw`].
-    pub fn draw(&self, picture: &WritePicture) -> Result<Picture> {
-        fn of<T: Drawable>(terrain: &T, picture: &WritePicture) -> Result<Picture> {
-            picture.draw(terrain)
-        }
-        match self {
-            Self::HeightField(t) => of(t, picture),
-            Self::Mesh(t) => of(t, picture),
+/// A picture of a terrain.
+///
+/// # Errors
+/// As [`WritePicture::draw`].
+pub(super) fn draw(terrain: &AnyTerrain, picture: &WritePicture) -> Result<Picture> {
+    struct Drawing<'a>(&'a WritePicture);
+    impl Visit for Drawing<'_> {
+        type Out = Result<Picture>;
+        fn visit<T: Surface>(self, terrain: &T) -> Result<Picture> {
+            self.0.draw(terrain)
         }
     }
+    terrain.visit(Drawing(picture))
 }

@@ -13,7 +13,8 @@
 //! rise there: the flooding level of Priority-Flood (within the tilt of level ground, where passes differ by less).
 //!
 //! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are broken by slots and node numbers,
-//! which follow from geometry, and pieces of fixed size are joined in order: the same bits on any number of threads.
+//! which follow from geometry. Donors are added in the order of slots, and ways over the seams of strips ([`strips`]) are joined at the end: the
+//! same bits however the work is cut and on any number of threads.
 //!
 //! # Sources
 //! Braun & Willett (2013) for receivers and order; Cordonnier, Bovy & Braun (2019), algorithms 1-5, for basins, passes and
@@ -30,10 +31,14 @@ mod multiple;
 mod order;
 mod passes;
 mod pits;
+mod strips;
 mod tree;
 
 pub use flats::{fall, spread_steps, tilt_flats};
 pub use infinity::{Direction, direction};
+
+use order::Network;
+use strips::Strips;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -61,7 +66,9 @@ pub struct Flow {
     order: Vec<u32>,
     /// Saddles while routing, donors while ordering.
     marks: Vec<u8>,
-    pits: Vec<u32>,
+    strips: Strips,
+    /// Strips to cut into, if not as many as suit the number of nodes.
+    wanted: Option<usize>,
     lakes: usize,
     descent: Descent,
 }
@@ -77,6 +84,11 @@ impl Flow {
         Self { descent, ..Self::default() }
     }
 
+    /// Cuts the nodes into so many strips; no bit depends on it.
+    pub fn in_strips(self, strips: usize) -> Self {
+        Self { wanted: Some(strips), ..self }
+    }
+
     /// Routes flow over `elevation` (NaN on masked nodes) and accumulates: on return `amount` holds, for each node, the sum
     /// of what it held at all nodes that drain through it, itself included (drainage area, if it held the nodes' areas).
     ///
@@ -85,7 +97,9 @@ impl Flow {
     /// **Shape** both slices have one value per node. **Cost** O(n).
     pub fn route<D: Domain>(&mut self, domain: &D, elevation: &[f64], amount: &mut [f64]) {
         self.descend(domain, elevation);
-        order::order_and_accumulate(&self.receiver, &self.slot, &mut self.marks, &mut self.order, amount);
+        let cuts = strips::cut(domain.len(), self.wanted);
+        let network = Network { domain, receiver: &self.receiver, slot: &self.slot };
+        self.strips = order::order_and_accumulate(network, cuts, &mut self.marks, &mut self.order, amount);
     }
 
     /// Receivers with lakes carved through; no order.
@@ -106,8 +120,9 @@ impl Flow {
         if pits.closed == 0 {
             return;
         }
-        labels::label_basins(domain.status(), &self.receiver, &mut self.order, &mut self.pits);
-        let basins = self.pits.len();
+        let ends = pits::without_receiver(domain, &self.slot);
+        labels::label_basins(&self.receiver, &ends, &strips::cut(n, self.wanted), &mut self.order);
+        let basins = ends.len() + 1;
         domain.saddles(elevation, &mut self.marks);
         let passes = passes::find_passes(domain, elevation, &self.marks, &self.slot, &self.order);
         let tree = tree::spanning_tree(passes, basins);
@@ -145,10 +160,7 @@ impl Flow {
     /// elevation on land. NaN on masked nodes.
     pub fn water_level(&self, elevation: &[f64]) -> Vec<f64> {
         let mut level = elevation.to_vec();
-        for &i in self.order.iter().rev() {
-            let (i, r) = (i as usize, self.receiver[i as usize] as usize);
-            level[i] = level[i].max(level[r]);
-        }
+        self.up(&mut level, |_, own, below| own.max(below));
         level
     }
 
@@ -162,9 +174,7 @@ impl Flow {
                 basin[i] = count;
             }
         }
-        for &i in self.order.iter().rev() {
-            basin[i as usize] = basin[self.receiver[i as usize] as usize];
-        }
+        self.up(&mut basin, |_, _, below| below);
         basin
     }
 }

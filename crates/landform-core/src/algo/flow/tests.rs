@@ -317,3 +317,67 @@ fn a_level_floor_of_a_pit_has_its_pit_in_the_middle() {
     flow.route(&domain, &z, &mut area);
     assert_eq!(area[7 * n + 7], (n * n) as f64);
 }
+
+/// Routes in strips; receivers, levels, basins and sums.
+fn in_strips<D: Domain>(domain: &D, z: &[f64], strips: usize) -> (Vec<u32>, Vec<f64>, Vec<u32>, Vec<f64>) {
+    let mut flow = Flow::new().in_strips(strips);
+    // Areas whose sums differ by the order in which they are taken.
+    let mut amount: Vec<f64> = (0..z.len()).map(|i| 1.0 + Seed(9).uniform(i as u64)).collect();
+    let own = amount.clone();
+    flow.route(domain, z, &mut amount);
+    let mut again = own;
+    flow.down(domain, &mut again, |a, b| a + b, |_, v| v);
+    assert_eq!(again, amount, "{strips} strips");
+    let mut place = vec![0; z.len()];
+    flow.order().iter().enumerate().for_each(|(k, &i)| place[i as usize] = k);
+    let late = |i: usize| flow.receivers()[i] as usize == i || place[i] < place[flow.receivers()[i] as usize];
+    assert!((0..z.len()).all(late), "{strips} strips: a receiver before its donor");
+    (flow.receivers().to_vec(), flow.water_level(z), flow.basins(domain.status()), amount)
+}
+
+#[test]
+fn how_nodes_are_cut_into_strips_changes_no_bit() {
+    let (rows, cols) = (67, 41);
+    let n = rows * cols;
+    let at = |i: usize| ((i / cols) as f64, (i % cols) as f64);
+    let rough: Vec<f64> = (0..n).map(|i| 100.0 * Seed(3).uniform(i as u64)).collect();
+    let plateaus: Vec<f64> = rough.iter().map(|z| (z / 20.0).floor()).collect();
+    // A lake over three seams of five strips, and a river that weaves along the seam of two.
+    let lake: Vec<f64> =
+        (0..n).map(|i| (((at(i).0 - 33.0) / 30.0).abs().max((at(i).1 - 20.0).abs() / 18.0)).powi(2)).collect();
+    let weaving: Vec<f64> = (0..n)
+        .map(|i| {
+            let (r, c) = at(i);
+            (r - 33.5 - 2.5 * crate::math::sin(c)).abs() + 0.01 * (40.0 - c) + 0.3 * Seed(4).uniform(i as u64)
+        })
+        .collect();
+    let mut holes = rough.clone();
+    (0..cols).for_each(|c| holes[33 * cols + c] = if c % 7 < 3 { f64::NAN } else { -5.0 });
+    for (name, z) in [
+        ("rough", rough),
+        ("plateaus", plateaus),
+        ("flat", vec![2.0; n]),
+        ("lake", lake),
+        ("weaving", weaving),
+        ("holes", holes),
+    ] {
+        let mut grid = Grid::new(Shape::new(rows, cols), [30.0, 30.0]).unwrap();
+        grid.edges = Edges { north: Edge::Closed, east: Edge::Closed, ..Edges::default() };
+        let valid: Vec<bool> = z.iter().map(|v| !v.is_nan()).collect();
+        let domain = RasterDomain::new(&grid, &valid);
+        let whole = in_strips(&domain, &z, 1);
+        for strips in [2, 3, 5, 8] {
+            let cut = in_strips(&domain, &z, strips);
+            assert!(cut.0 == whole.0, "{name}, {strips} strips: receivers");
+            assert!(cut.2 == whole.2 && cut.3 == whole.3, "{name}, {strips} strips: basins or sums");
+            assert!(cut.1.iter().zip(&whole.1).all(|(a, b)| a.to_bits() == b.to_bits()), "{name}: levels");
+        }
+    }
+    let sites = crate::algo::sampling::poisson_disk([1000.0, 700.0], 12.0, Seed(5)).unwrap();
+    let mesh = crate::terrain::Mesh::delaunay(&sites, Edges::default()).unwrap();
+    let z: Vec<f64> = (0..mesh.graph().len()).map(|i| Seed(6).uniform(i as u64)).collect();
+    let whole = in_strips(mesh.graph(), &z, 1);
+    for strips in [2, 3, 5, 8] {
+        assert!(in_strips(mesh.graph(), &z, strips) == whole, "mesh, {strips} strips");
+    }
+}

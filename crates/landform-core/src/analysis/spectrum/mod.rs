@@ -160,7 +160,7 @@ pub fn density(grid: &Grid, z: &[f64], taper: bool) -> Option<(Window, Density)>
     let coefficients = forward(Shape::new(n, n), values);
     let step = [0, 1].map(|k| 1.0 / (n as f64 * grid.spacing[k]));
     // Σ P · step² = variance.
-    let scale = 1.0 / ((n as f64).powi(4) * power_of_window * step[0] * step[1]);
+    let scale = 1.0 / (crate::math::powi(n as f64, 4) * power_of_window * step[0] * step[1]);
     let values = coefficients.values.iter().map(|c| c.norm_sqr() * scale).collect();
     Some((window, Density { side: n, step, values }))
 }

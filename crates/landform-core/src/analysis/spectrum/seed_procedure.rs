@@ -46,7 +46,7 @@ pub fn seed_fit(density: &Density, z: &[f64], window: Window, shape: Shape) -> S
     let heights = (0..n * n).map(|i| z[window.node(shape, i / n, i % n)]);
     let (lo, hi) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
     // Back to |F|² of heights in 0..1.
-    let scale = (n as f64).powi(4) * density.step[0] * density.step[1] / ((hi - lo) * (hi - lo));
+    let scale = crate::math::powi(n as f64, 4) * density.step[0] * density.step[1] / ((hi - lo) * (hi - lo));
     let mut sums = [0.0; 6];
     let (mut removed, mut range) = (0, (f64::INFINITY, f64::NEG_INFINITY));
     for_each(density, |kx, ky, radius, _| {

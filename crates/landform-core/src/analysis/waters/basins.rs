@@ -32,7 +32,7 @@ pub fn basins<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_area
     // Cells at sea are outlets, not ground.
     let ground = |i: usize| status[i] != MASKED && drainage.flow.receivers()[i] as usize != i;
     let mut basins = vec![None; count];
-    let cell = field.grid.cell_area();
+    let cell = field.grid().cell_area();
     for i in (0..z.len()).filter(|&i| ground(i)) {
         let basin = basins[of[i] as usize - 1].get_or_insert_with(|| Basin {
             area: 0.0,
@@ -46,20 +46,20 @@ pub fn basins<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_area
             [basin.elevation[0].min(z[i]), basin.elevation[1] + z[i] * cell, basin.elevation[2].max(z[i])];
         let r = drainage.flow.receivers()[i] as usize;
         if drainage.flow.receivers()[r] as usize == r {
-            basin.outlet = field.grid.position(r);
+            basin.outlet = field.grid().position(r);
         }
     }
     let large =
         |i: usize| ground(i) && basins[of[i] as usize - 1].as_ref().is_some_and(|b: &Basin| b.area >= least_area);
-    let label = label_regions(field.grid.shape, large, |i, j| of[i] == of[j]);
-    let rings = outlines(field.grid.shape, &label);
+    let label = label_regions(field.grid().shape, large, |i, j| of[i] == of[j]);
+    let rings = outlines(field.grid().shape, &label);
     let mut first = vec![usize::MAX; rings.len()];
     for i in (0..label.len()).rev().filter(|&i| label[i] != 0) {
         first[label[i] as usize - 1] = i;
     }
     for (rings, &i) in rings.iter().zip(&first) {
         if let Some(basin) = &mut basins[of[i] as usize - 1] {
-            basin.outline.push(polygon(&field.grid, rings));
+            basin.outline.push(polygon(field.grid(), rings));
         }
     }
     let mut basins: Vec<Basin> = basins.into_iter().flatten().filter(|b| b.area >= least_area).collect();

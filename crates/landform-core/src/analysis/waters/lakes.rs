@@ -40,9 +40,9 @@ pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth
     let shallow = if known.is_some() { SHALLOW } else { 0.0 };
     let even = if known.is_some() { LEVEL } else { 0.0 };
     let label =
-        label_regions(field.grid.shape, |i| level[i] > z[i] + shallow, |i, j| (level[i] - level[j]).abs() <= even);
-    let rings = outlines(field.grid.shape, &label);
-    let cell = field.grid.cell_area();
+        label_regions(field.grid().shape, |i| level[i] > z[i] + shallow, |i, j| (level[i] - level[j]).abs() <= even);
+    let rings = outlines(field.grid().shape, &label);
+    let cell = field.grid().cell_area();
     let empty =
         Lake { level: f64::NAN, depth: 0.0, area: 0.0, volume: 0.0, outlet: None, discharge: 0.0, shore: Vec::new() };
     let mut lakes = vec![empty; rings.len()];
@@ -57,12 +57,12 @@ pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth
         if r == i {
             lake.discharge += drainage.discharge[i];
         } else if label[r] != label[i] && level[i] >= drainage.level[i] - LEVEL {
-            lake.outlet = Some(field.grid.position(r));
+            lake.outlet = Some(field.grid().position(r));
             lake.discharge = drainage.discharge[i];
         }
     }
     for (lake, rings) in lakes.iter_mut().zip(&rings) {
-        lake.shore = polygon(&field.grid, rings);
+        lake.shore = polygon(field.grid(), rings);
     }
     lakes.retain(|l| l.depth >= least_depth && l.area >= least_area);
     lakes.sort_by(|a, b| b.area.total_cmp(&a.area));

@@ -73,8 +73,7 @@ impl<D: Domain> Drainage<D> {
     }
 }
 
-/// Part of the ground, as polygons in map coordinates: rings of (x, y), the outer one first.
-pub type Polygon = Vec<Vec<[f64; 2]>>;
+pub use crate::feature::Polygon;
 
 /// Rings of corners in map coordinates; nodes are the middles of cells.
 fn polygon(grid: &Grid, rings: &[Ring]) -> Polygon {

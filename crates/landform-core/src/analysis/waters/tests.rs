@@ -40,7 +40,7 @@ fn lakes_are_flat_and_their_volumes_sum() {
     let field = field();
     let drainage = Drainage::of(&field, None, 0.0);
     let list = lakes(&field, &drainage, 0.0, 0.0);
-    let volume: f64 = (0..field.grid.len()).map(|i| (drainage.level[i] - field.elevation()[i]) * 2500.0).sum();
+    let volume: f64 = (0..field.grid().len()).map(|i| (drainage.level[i] - field.elevation()[i]) * 2500.0).sum();
     let total: f64 = list.iter().map(|l| l.volume).sum();
     assert!(list.len() > 5 && (total / volume - 1.0).abs() < 1e-9);
     assert!(list.windows(2).all(|l| l[0].area >= l[1].area) && list.iter().all(|l| l.depth > 0.0));

@@ -68,7 +68,7 @@ static UNITY: Engine = Engine {
     write: |heights| {
         // Unity reads the first row as the south edge.
         let samples = quantize(&heights.file());
-        let rows = samples.chunks(heights.field.grid.shape.cols).rev();
+        let rows = samples.chunks(heights.field.grid().shape.cols).rev();
         Ok(rows.flatten().flat_map(|v| v.to_le_bytes()).collect())
     },
     steps: unity_steps,
@@ -130,7 +130,7 @@ impl Engine {
 
     /// The import card, in Markdown.
     pub(super) fn card(&self, heights: &Heights) -> String {
-        let grid = &heights.field.grid;
+        let grid = heights.field.grid();
         let ([cols, rows], [w, h]) = ([grid.shape.cols, grid.shape.rows], grid.extent());
         let [least, greatest] = heights.range;
         let mut card = format!(
@@ -177,7 +177,7 @@ pub(super) fn unreal_numbers([least, greatest]: [f64; 2]) -> [f64; 3] {
 }
 
 fn unreal_steps(heights: &Heights) -> String {
-    let grid = &heights.field.grid;
+    let grid = heights.field.grid();
     let [location, scale, epic] = unreal_numbers(heights.range);
     let [sx, sy] = [grid.spacing[0] * 100.0, grid.spacing[1] * 100.0];
     format!(
@@ -197,7 +197,7 @@ fn unreal_steps(heights: &Heights) -> String {
 }
 
 fn unity_steps(heights: &Heights) -> String {
-    let grid = &heights.field.grid;
+    let grid = heights.field.grid();
     let ([w, h], [least, greatest]) = (grid.extent(), heights.range);
     format!(
         "1. Terrain, Settings, Texture Resolutions, *Import Raw*; choose `{}`.\n\
@@ -216,7 +216,7 @@ fn unity_steps(heights: &Heights) -> String {
 }
 
 fn godot_steps(heights: &Heights) -> String {
-    let grid = &heights.field.grid;
+    let grid = heights.field.grid();
     let longer = grid.shape.cols.max(grid.shape.rows);
     let region = [64, 128, 256, 512, 1024, 2048].into_iter().find(|r| r * 32 >= longer).unwrap_or(2048).max(256);
     let range = if heights.extension == "exr" {
@@ -242,7 +242,7 @@ fn godot_steps(heights: &Heights) -> String {
 }
 
 fn blender_steps(heights: &Heights) -> String {
-    let grid = &heights.field.grid;
+    let grid = heights.field.grid();
     let [w, h] = grid.extent();
     if heights.extension == "glb" {
         return "1. File, Import, glTF 2.0; choose the file. Units are metres, Z is up after import, north is +Y.\n"
@@ -261,7 +261,7 @@ fn blender_steps(heights: &Heights) -> String {
 }
 
 fn gis_steps(heights: &Heights) -> String {
-    let grid = &heights.field.grid;
+    let grid = heights.field.grid();
     let place = match heights.field.epsg() {
         Some(code) => format!("EPSG:{code}"),
         None => "none: local metres, for this land is on no map. Choose any metric system when asked.".into(),

@@ -11,7 +11,7 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::format::{GeotiffOptions, RasterFile};
+use crate::format::{RasterFile, sidecar_path};
 use engines::{Engine, Sizes};
 
 /// Writes elevation as an engine imports it right first time, with an import card (name.ext.md) that says which numbers to
@@ -53,6 +53,10 @@ impl Default for WriteHeightmap {
 impl Params for WriteHeightmap {
     const NAME: &'static str = "write_heightmap";
     const SOURCES: &'static [Source] = &[];
+
+    fn outputs(&self) -> Vec<String> {
+        vec![self.path.clone(), sidecar_path(&self.path), format!("{}.md", self.path)]
+    }
 
     fn check(&self) -> Result<()> {
         relative_path(&self.path)?;
@@ -109,14 +113,7 @@ pub(super) struct Heights<'a> {
 impl Heights<'_> {
     /// As a file of rasters.
     pub(super) fn file(&self) -> RasterFile<'_> {
-        RasterFile {
-            grid: &self.field.grid,
-            values: self.field.elevation(),
-            field: "elevation",
-            unit: "m",
-            seed: self.seed,
-            geotiff: GeotiffOptions::default(),
-        }
+        RasterFile::real(self.field.grid(), self.field.elevation(), "elevation", "m", self.seed)
     }
 }
 
@@ -166,23 +163,23 @@ impl WriteHeightmap {
 
     fn heights<'a>(&'a self, landscape: &Landscape<'a, HeightField>) -> Result<Heights<'a>> {
         let source = landscape.terrain;
-        let grid = self.grid(&source.grid)?;
-        let from = [source.grid.shape.cols, source.grid.shape.rows];
+        let grid = self.grid(source.grid())?;
+        let from = [source.grid().shape.cols, source.grid().shape.rows];
         let mut field =
-            if grid == source.grid { source.clone() } else { resample(source, &grid, Interpolation::Linear)? };
+            if grid == *source.grid() { source.clone() } else { resample(source, &grid, Interpolation::Linear)? };
         let finite = field.elevation().iter().copied().filter(|z| z.is_finite());
         let (least, mut greatest) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
         if greatest - least < FLAT {
             // Level ground: no noise of the last bit stretched over 16 bits, and a range that an engine takes.
             let z = field.elevation().iter().map(|z| if z.is_nan() { *z } else { least }).collect();
-            field = HeightField::new(field.grid.clone(), z)?;
+            field = HeightField::new(field.grid().clone(), z)?;
             greatest = least + 1.0;
         }
         let keep_holes = self.preset == Preset::Gis;
         let filled = field.elevation().iter().filter(|z| z.is_nan()).count();
         if !keep_holes && filled > 0 {
             let z = field.elevation().iter().map(|&z| if z.is_nan() { least } else { z }).collect();
-            field = HeightField::new(field.grid.clone(), z)?;
+            field = HeightField::new(field.grid().clone(), z)?;
         }
         Ok(Heights {
             field,
@@ -204,7 +201,7 @@ impl Export<HeightField> for WriteHeightmap {
         let [bytes, card] = [(engine.write)(&heights)?, engine.card(&heights).into_bytes()];
         out.put(&self.path, &bytes)?;
         if let Some(sidecar) = engine.sidecar(&heights) {
-            out.put(&format!("{}.landform.json", self.path), &sidecar.text()?)?;
+            out.put(&sidecar_path(&self.path), &sidecar.text()?)?;
         }
         out.put(&format!("{}.md", self.path), &card)
     }

@@ -3,6 +3,7 @@ use landform_core::terrain::{HeightField, NodeSurface};
 
 use super::*;
 use crate::format::RasterFile;
+use crate::format::Samples;
 
 fn field(rows: usize, cols: usize, georeference: Georeference) -> HeightField {
     let mut grid = Grid::new(Shape::new(rows, cols), [30.0, 25.0]).unwrap();
@@ -32,19 +33,21 @@ fn every_layout_is_read_back_with_its_georeference() {
                 let source = field(rows, cols, Georeference { epsg, geographic: false, registration });
                 for geotiff in options() {
                     let file = RasterFile {
-                        grid: &source.grid,
+                        grid: source.grid(),
                         values: source.elevation(),
                         field: "elevation",
                         unit: "m",
+                        samples: Samples::Real,
+                        legend: Vec::new(),
                         seed: 1,
                         geotiff,
                     };
                     let back = read(&write(&file).unwrap(), None).unwrap();
-                    let mut expected = source.grid.clone();
+                    let mut expected = source.grid().clone();
                     if epsg.is_none() {
                         expected.georeference.registration = Registration::Area;
                     }
-                    assert_eq!(back.grid, expected, "{geotiff:?}");
+                    assert_eq!(*back.grid(), expected, "{geotiff:?}");
                     for (a, b) in source.elevation().iter().zip(back.elevation()) {
                         let expected = if geotiff.data_type == DataType::Int16 { a.round() } else { *a };
                         assert!(expected == *b || (a.is_nan() && b.is_nan()), "{geotiff:?}: {a} {b}");
@@ -59,12 +62,14 @@ fn every_layout_is_read_back_with_its_georeference() {
 fn longitude_and_latitude_are_known_as_such() {
     let source = field(8, 9, Georeference { epsg: Some(4326), geographic: true, registration: Registration::Area });
     let file = RasterFile {
-        grid: &source.grid,
+        grid: source.grid(),
         values: source.elevation(),
         field: "elevation",
         unit: "m",
+        samples: Samples::Real,
+        legend: Vec::new(),
         seed: 1,
         geotiff: GeotiffOptions::default(),
     };
-    assert!(read(&write(&file).unwrap(), None).unwrap().grid.georeference.geographic);
+    assert!(read(&write(&file).unwrap(), None).unwrap().grid().georeference.geographic);
 }

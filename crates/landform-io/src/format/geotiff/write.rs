@@ -33,9 +33,19 @@ pub(in crate::format) fn write(file: &RasterFile) -> Result<Vec<u8>> {
 /// Refuses values that the type of the samples cannot hold.
 fn check_range(file: &RasterFile) -> Result<()> {
     let (lo, hi) = file.range();
-    if file.geotiff.data_type == DataType::Int16 && (lo < -32_767.0 || hi > 32_767.0) {
-        let expected = "values within -32767 and 32767, or data_type = \"float32\"";
-        return Err(Error::parameter("data_type", format!("int16 for values from {lo} to {hi}"), expected));
+    let (word, least, most) = match file.geotiff.data_type {
+        DataType::Float32 | DataType::Float64 => return Ok(()),
+        DataType::Int16 => ("int16", -32_767.0, 32_767.0),
+        DataType::Uint32 => ("uint32", 0.0, f64::from(u32::MAX)),
+        DataType::Uint8 => ("uint8", 0.0, 255.0),
+    };
+    if lo < least || hi > most {
+        let expected = format!("values within {least} and {most}, or data_type = \"float64\"");
+        return Err(Error::parameter("data_type", format!("{word} for values from {lo} to {hi}"), &expected));
+    }
+    if word.starts_with('u') && file.values.iter().any(|v| v.is_nan()) {
+        let expected = "values everywhere, or data_type = \"float32\"";
+        return Err(Error::parameter("data_type", format!("{word} for a raster with nodata"), expected));
     }
     Ok(())
 }
@@ -65,7 +75,7 @@ fn blocks(file: &RasterFile) -> Result<Vec<Vec<u8>>> {
             let (r, c) = ((top + r).min(shape.rows - 1), (left + c).min(shape.cols - 1));
             file.values[shape.index(r, c)]
         };
-        let mut bytes = Vec::with_capacity(height * cols * 4);
+        let mut bytes = Vec::with_capacity(height * cols * 8);
         for r in 0..height {
             encode_row((0..cols).map(|c| at(r, c)), file.geotiff, &mut bytes);
         }
@@ -75,18 +85,18 @@ fn blocks(file: &RasterFile) -> Result<Vec<Vec<u8>>> {
     .collect()
 }
 
-fn nodata(data_type: DataType) -> f64 {
+fn nodata(data_type: DataType) -> Option<f64> {
     match data_type {
-        DataType::Float32 => -9999.0,
-        DataType::Int16 => -32_768.0,
+        DataType::Float32 | DataType::Float64 => Some(-9999.0),
+        DataType::Int16 => Some(-32_768.0),
+        DataType::Uint32 | DataType::Uint8 => None,
     }
 }
 
 /// Appends one row's samples, little-endian, differenced by the predictor.
 fn encode_row(values: impl Iterator<Item = f64>, options: GeotiffOptions, bytes: &mut Vec<u8>) {
-    let none = nodata(options.data_type);
+    let none = nodata(options.data_type).unwrap_or(0.0);
     let predict = options.compression != Compression::None;
-    let start = bytes.len();
     match options.data_type {
         DataType::Int16 => {
             let mut last = 0i16;
@@ -96,20 +106,46 @@ fn encode_row(values: impl Iterator<Item = f64>, options: GeotiffOptions, bytes:
                 last = v;
             }
         }
-        DataType::Float32 => {
-            let samples: Vec<f32> = values.map(|v| if v.is_finite() { v as f32 } else { none as f32 }).collect();
-            if !predict {
-                bytes.extend(samples.iter().flat_map(|v| v.to_le_bytes()));
-                return;
-            }
-            // All most significant bytes first, then differences from byte to byte.
-            for byte in 0..4 {
-                bytes.extend(samples.iter().map(|v| v.to_be_bytes()[byte]));
-            }
-            for k in (start + 1..bytes.len()).rev() {
-                bytes[k] = bytes[k].wrapping_sub(bytes[k - 1]);
+        DataType::Uint32 => {
+            let mut last = 0u32;
+            for v in values.map(|v| v as u32) {
+                bytes.extend(if predict { v.wrapping_sub(last) } else { v }.to_le_bytes());
+                last = v;
             }
         }
+        DataType::Uint8 => {
+            let mut last = 0u8;
+            for v in values.map(|v| v as u8) {
+                bytes.push(if predict { v.wrapping_sub(last) } else { v });
+                last = v;
+            }
+        }
+        DataType::Float32 => {
+            let samples = values.map(|v| if v.is_finite() { v as f32 } else { none as f32 });
+            let samples: Vec<[u8; 4]> = samples.map(f32::to_be_bytes).collect();
+            encode_floats(&samples, predict, bytes);
+        }
+        DataType::Float64 => {
+            let samples = values.map(|v| if v.is_finite() { v } else { none });
+            let samples: Vec<[u8; 8]> = samples.map(f64::to_be_bytes).collect();
+            encode_floats(&samples, predict, bytes);
+        }
+    }
+}
+
+/// Floats, most significant byte first, as a row of little-endian samples or of differences from byte to byte: all most significant
+/// bytes first, and so on.
+fn encode_floats<const N: usize>(samples: &[[u8; N]], predict: bool, bytes: &mut Vec<u8>) {
+    let start = bytes.len();
+    if !predict {
+        bytes.extend(samples.iter().flat_map(|v| v.iter().rev()));
+        return;
+    }
+    for byte in 0..N {
+        bytes.extend(samples.iter().map(|v| v[byte]));
+    }
+    for k in (start + 1..bytes.len()).rev() {
+        bytes[k] = bytes[k].wrapping_sub(bytes[k - 1]);
     }
 }
 
@@ -140,7 +176,10 @@ fn fill<K: TiffKind>(
     let lengths: Vec<u64> = blocks.iter().map(|b| b.len() as u64).collect();
     let (bits, format, predictor) = match options.data_type {
         DataType::Float32 => (32u16, 3u16, 3u16),
+        DataType::Float64 => (64, 3, 3),
         DataType::Int16 => (16, 2, 2),
+        DataType::Uint32 => (32, 1, 2),
+        DataType::Uint8 => (8, 1, 2),
     };
     directory.write_tag(Tag::ImageWidth, grid.shape.cols as u32)?;
     directory.write_tag(Tag::ImageLength, grid.shape.rows as u32)?;
@@ -186,7 +225,9 @@ fn fill<K: TiffKind>(
     if grid.georeference.epsg.is_some() {
         directory.write_tag(Tag::GeoKeyDirectoryTag, keys::directory(&grid.georeference).as_slice())?;
     }
-    directory.write_tag(Tag::GdalNodata, nodata(options.data_type).to_string().as_str())?;
+    if let Some(nodata) = nodata(options.data_type) {
+        directory.write_tag(Tag::GdalNodata, nodata.to_string().as_str())?;
+    }
     directory.write_tag(Tag::Software, concat!("landform ", env!("CARGO_PKG_VERSION")))?;
     directory.finish()
 }

@@ -3,7 +3,7 @@
 use landform_core::grid::RasterDomain;
 
 use super::pools::DRY;
-use super::spread::{Lower, Rule};
+use super::spread::{FlowPartition, Rule};
 use super::sweep::Sweep;
 
 impl Sweep {
@@ -29,15 +29,15 @@ impl Sweep {
 
     /// Where what passes a node of the last round goes on to, with shares: with the water on dry ground, down the bed under standing
     /// water. `part` is the flow as a part of all water.
-    pub fn onward(&self, domain: &RasterDomain, node: usize, part: f64) -> Lower {
+    pub fn downstream(&self, domain: &RasterDomain, node: usize, part: f64) -> FlowPartition {
         let ground = self.ran_over();
         if self.lake(node).is_some() {
-            let mut lower = Lower::around(domain, ground, node, |to| ground[to]);
-            lower.share(Rule::Weighted, ground[node], part);
+            let mut lower = FlowPartition::from_neighbours(domain, ground, node, |to| ground[to]);
+            lower.set_weights(Rule::Weighted, ground[node], part);
             return lower;
         }
-        let mut lower = Lower::around(domain, ground, node, |to| self.surface(to));
-        lower.share(self.rule, ground[node], part);
+        let mut lower = FlowPartition::from_neighbours(domain, ground, node, |to| self.surface(to));
+        lower.set_weights(self.rule, ground[node], part);
         lower
     }
 }

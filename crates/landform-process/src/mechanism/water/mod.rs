@@ -13,8 +13,9 @@
 //! Pytel (2015), 4.3.1 and 4.4.3. The seed moves water by one neighbour an iteration, so that its rivers are as deep as iterations are
 //! short; here a round is long against the time that water takes to the border.
 
-mod glance;
+mod input;
 mod load;
+mod neighbours;
 mod order;
 mod pipes;
 mod pools;
@@ -24,7 +25,7 @@ mod sweep;
 
 pub use order::highest_first;
 pub use pipes::Pipes;
-pub use spread::{Lower, Rule};
+pub use spread::{FlowPartition, Rule};
 pub use sweep::Sweep;
 
 /// Water that a round brings and takes.

@@ -24,17 +24,17 @@ pub enum Rule {
     Weighted,
 }
 
-/// Lower neighbours of a site: node, level and share.
+/// The lower neighbours of a site: node, level and share.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Lower {
+pub struct FlowPartition {
     list: [(u32, f64, f64); 8],
     len: usize,
 }
 
-impl Lower {
+impl FlowPartition {
     /// The neighbours whose ground is lower than a node's, with the levels that `level` tells; those that are not lower by it are left out.
     #[inline]
-    pub fn around(domain: &RasterDomain, ground: &[f64], node: usize, level: impl Fn(usize) -> f64) -> Self {
+    pub fn from_neighbours(domain: &RasterDomain, ground: &[f64], node: usize, level: impl Fn(usize) -> f64) -> Self {
         let (z, mut lower) = (ground[node], Self::default());
         for link in domain.neighbours(node).filter(|l| ground[l.to] < z) {
             let level = level(link.to);
@@ -65,7 +65,7 @@ impl Lower {
 
     /// Nodes and shares, which add up to 1 once they are set; neighbours without a share are left out.
     #[inline]
-    pub fn shares(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+    pub fn weights(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.list[..self.len].iter().filter(|l| l.2 > 0.0).map(|l| (l.0 as usize, l.2))
     }
 
@@ -97,7 +97,7 @@ impl Lower {
 
     /// Sets the shares of a site at `top` through which `part` of all the map's water runs.
     #[inline]
-    pub fn share(&mut self, rule: Rule, top: f64, part: f64) {
+    pub fn set_weights(&mut self, rule: Rule, top: f64, part: f64) {
         if self.is_empty() {
             return;
         }
@@ -130,8 +130,8 @@ impl Lower {
 mod tests {
     use super::*;
 
-    fn lower(levels: &[f64]) -> Lower {
-        let mut lower = Lower::default();
+    fn lower(levels: &[f64]) -> FlowPartition {
+        let mut lower = FlowPartition::default();
         levels.iter().enumerate().for_each(|(k, &l)| lower.push(k, l));
         lower
     }
@@ -150,7 +150,7 @@ mod tests {
             let mut l = lower(heights);
             let level = l.equalise(top, water);
             assert!((level - expected).abs() < 1e-12, "{heights:?} {water}: {level}");
-            let given: f64 = l.shares().map(|s| s.1).sum();
+            let given: f64 = l.weights().map(|s| s.1).sum();
             let kept = (level - top).max(0.0);
             assert!((given + kept - water).abs() < 1e-12, "WC1");
         }
@@ -160,10 +160,10 @@ mod tests {
     fn shares_add_up_and_columns_prefer_the_lowest() {
         for rule in [Rule::Columns { depth: 2.0 }, Rule::Average, Rule::Weighted] {
             let mut l = lower(&[4.0, 1.0, 2.5, 3.0]);
-            l.share(rule, 5.0, 1.0);
-            let total: f64 = l.shares().map(|s| s.1).sum();
+            l.set_weights(rule, 5.0, 1.0);
+            let total: f64 = l.weights().map(|s| s.1).sum();
             assert!((total - 1.0).abs() < 1e-15);
-            let of = |node: usize| l.shares().find(|s| s.0 == node).map_or(0.0, |s| s.1);
+            let of = |node: usize| l.weights().find(|s| s.0 == node).map_or(0.0, |s| s.1);
             match rule {
                 Rule::Columns { .. } => assert!(of(1) > 0.8 && of(0) == 0.0),
                 Rule::Average => assert_eq!(of(0), 0.25),

@@ -12,29 +12,14 @@
 use std::collections::{BTreeMap, BinaryHeap};
 
 use landform_core::algo::flow::tilt_flats;
-use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED, RasterDomain};
+use landform_core::grid::{Domain, INTERIOR, MASKED, RasterDomain};
 use landform_core::parallel;
 
-use super::glance::Glances;
+use super::input::{OverflowEvent, RunoffInput};
+use super::neighbours::NeighbourTable;
 use super::pools::{Height, Pools};
-use super::runoff::Late;
-use super::spread::{GRAIN, Lower, Rule};
+use super::spread::{FlowPartition, GRAIN, Rule};
 use super::{Ledger, Supply};
-
-/// What a round runs over.
-pub(super) struct Over<'a> {
-    pub(super) domain: &'a RasterDomain,
-    pub(super) ground: &'a [f64],
-    pub(super) supply: &'a Supply<'a>,
-}
-
-impl Over<'_> {
-    /// Whether water leaves here.
-    #[inline]
-    pub(super) fn is_end(&self, i: usize) -> bool {
-        self.domain.status()[i] == BASE_LEVEL || self.supply.sinks.get(i).copied().unwrap_or(false)
-    }
-}
 
 /// Runoff over a raster.
 #[derive(Clone, Debug)]
@@ -47,13 +32,13 @@ pub struct Sweep {
     pub(super) passed: Vec<f64>,
     /// Late water for nodes, m of depth, and what has any, by height.
     pub(super) late: Vec<f64>,
-    pub(super) queue: BinaryHeap<(Height, Late)>,
+    pub(super) queue: BinaryHeap<(Height, OverflowEvent)>,
     /// Water for pools, m of depth, by pool.
     pub(super) inflow: Vec<f64>,
     pub(super) left: f64,
     /// What came into a pool at each node less what left there, m of depth.
     pub(super) net: Vec<f64>,
-    glances: Glances,
+    table: NeighbourTable,
     /// The ground without what is less than a grain, and with its flats tilted.
     even: Vec<f64>,
 }
@@ -71,7 +56,7 @@ impl Sweep {
             inflow: Vec::new(),
             left: 0.0,
             net: Vec::new(),
-            glances: Glances::default(),
+            table: NeighbourTable::default(),
             even: Vec::new(),
         }
     }
@@ -97,15 +82,15 @@ impl Sweep {
         if let Some(tilted) = tilt_flats(domain, &even) {
             even = tilted;
         }
-        let ledger = self.run(&Over { domain, ground: &even, supply }, standing);
+        let ledger = self.run(&RunoffInput { domain, ground: &even, supply }, standing);
         self.even = even;
         ledger
     }
 
-    fn run(&mut self, over: &Over, standing: &mut [f64]) -> Ledger {
-        let n = over.ground.len();
+    fn run(&mut self, input: &RunoffInput, standing: &mut [f64]) -> Ledger {
+        let n = input.ground.len();
         self.passed.clear();
-        self.passed.extend(over.supply.depth.iter().map(|water| water.max(0.0)));
+        self.passed.extend(input.supply.depth.iter().map(|water| water.max(0.0)));
         self.left = 0.0;
         for list in [&mut self.late, &mut self.net] {
             list.clear();
@@ -113,25 +98,25 @@ impl Sweep {
         }
         self.inflow.clear();
         self.pools.clear(n);
-        let mut ledger = Ledger { entered: over.supply.total, ..Ledger::default() };
-        let mut held = self.take_up(over, standing, &mut ledger);
-        for pit in self.run_down(over) {
+        let mut ledger = Ledger { entered: input.supply.total, ..Ledger::default() };
+        let mut held = self.take_up(input, standing, &mut ledger);
+        for pit in self.route_runoff(input) {
             let stood = held.remove(&pit).unwrap_or(0.0);
-            self.new_pool(over, pit as usize, self.passed[pit as usize], stood);
+            self.new_pool(input, pit as usize, self.passed[pit as usize], stood);
         }
         // Hollows that nothing else came to.
         for (pit, stood) in held {
-            if over.is_end(pit as usize) {
+            if input.is_end(pit as usize) {
                 self.left += stood;
             } else {
-                self.new_pool(over, pit as usize, 0.0, stood);
+                self.new_pool(input, pit as usize, 0.0, stood);
             }
         }
-        self.run_off(over);
+        self.route_overflow(input);
         let passed = &mut self.passed;
-        self.pools.ways_through(over.domain, &mut self.net, |i, all| passed[i] = passed[i].max(all));
+        self.pools.ways_through(input.domain, &mut self.net, |i, all| passed[i] = passed[i].max(all));
         standing.fill(0.0);
-        self.pools.depths(over.ground, standing);
+        self.pools.depths(input.ground, standing);
         ledger.stored = standing.iter().sum();
         ledger.left = self.left;
         ledger
@@ -139,8 +124,8 @@ impl Sweep {
 
     /// Takes the standing water up, pool by pool: what held a hollow is kept for its lowest node, the rest of it (where the ground gave
     /// way since) runs off with the rain.
-    fn take_up(&mut self, over: &Over, standing: &mut [f64], ledger: &mut Ledger) -> BTreeMap<u32, f64> {
-        let Over { domain, ground, supply } = over;
+    fn take_up(&mut self, input: &RunoffInput, standing: &mut [f64], ledger: &mut Ledger) -> BTreeMap<u32, f64> {
+        let RunoffInput { domain, ground, supply } = input;
         let mut held = BTreeMap::new();
         let mut stack = Vec::new();
         for start in 0..standing.len() {
@@ -180,31 +165,31 @@ impl Sweep {
     }
 
     /// Lets the first water run down, over dry ground. Returns the pits that any has come to.
-    fn run_down(&mut self, over: &Over) -> Vec<u32> {
-        let mut glances = std::mem::take(&mut self.glances);
-        glances.look(over.domain, over.ground);
+    fn route_runoff(&mut self, input: &RunoffInput) -> Vec<u32> {
+        let mut table = std::mem::take(&mut self.table);
+        table.build(input.domain, input.ground);
         self.order.clear();
         let (mut pits, mut ready) = (Vec::new(), Vec::new());
-        for start in 0..over.ground.len() {
-            if glances.is_ready(start) {
+        for start in 0..input.ground.len() {
+            if table.is_ready(start) {
                 ready.push(start as u32);
             }
             while let Some(node) = ready.pop() {
                 self.order.push(node);
                 let i = node as usize;
-                self.pass_on(over, &glances, i, &mut pits);
-                glances.visited(over.domain, over.ground, i, |to| ready.push(to as u32));
+                self.pass_on(input, &table, i, &mut pits);
+                table.visited(input.domain, input.ground, i, |to| ready.push(to as u32));
             }
         }
-        self.glances = glances;
+        self.table = table;
         pits
     }
 
     /// A node passes on what has come to it.
     #[inline]
-    fn pass_on(&mut self, over: &Over, glances: &Glances, i: usize, pits: &mut Vec<u32>) {
+    fn pass_on(&mut self, input: &RunoffInput, table: &NeighbourTable, i: usize, pits: &mut Vec<u32>) {
         let water = self.passed[i];
-        if over.is_end(i) {
+        if input.is_end(i) {
             self.left += water;
             return;
         }
@@ -212,23 +197,23 @@ impl Sweep {
             return;
         }
         if let Rule::Columns { depth } = self.rule
-            && let Some(place) = glances.at(i).takes_all(depth * self.part(over, i).sqrt())
+            && let Some(place) = table.at(i).sole_receiver(depth * self.part(input, i).sqrt())
         {
-            self.passed[glances.neighbour(i, place)] += water;
+            self.passed[table.neighbour(i, place)] += water;
             return;
         }
-        let mut lower = Lower::around(over.domain, over.ground, i, |to| over.ground[to]);
+        let mut lower = FlowPartition::from_neighbours(input.domain, input.ground, i, |to| input.ground[to]);
         if lower.is_empty() {
             pits.push(i as u32);
             return;
         }
-        lower.share(self.rule, over.ground[i], self.part(over, i));
-        lower.shares().for_each(|(j, share)| self.passed[j] += water * share);
+        lower.set_weights(self.rule, input.ground[i], self.part(input, i));
+        lower.weights().for_each(|(j, share)| self.passed[j] += water * share);
     }
 
     /// What has passed a node, as a part of all that came in.
     #[inline]
-    pub(super) fn part(&self, over: &Over, i: usize) -> f64 {
-        (self.passed[i] / over.supply.total).min(1.0)
+    pub(super) fn part(&self, input: &RunoffInput, i: usize) -> f64 {
+        (self.passed[i] / input.supply.total).min(1.0)
     }
 }

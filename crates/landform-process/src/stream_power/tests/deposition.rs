@@ -26,7 +26,9 @@ fn every_node_obeys_the_equation_of_the_step_and_sediment_is_conserved() {
     // One step from rough ground with lakes, against the equation itself with fluxes summed anew.
     for (n, talus) in [(1.0, None), (1.0, Some(20.0)), (1.6, None), (0.7, None)] {
         let mut terrain = mesh(3_000);
-        terrain.elevation_mut().iter_mut().enumerate().for_each(|(i, z)| *z += 60.0 * Seed(2).uniform(i as u64));
+        terrain.change(Layer::Bedrock, |z| {
+            z.iter_mut().enumerate().for_each(|(i, z)| *z += 60.0 * Seed(2).uniform(i as u64))
+        });
         let before = terrain.elevation().to_vec();
         let params = StreamPower { talus_angle: talus.map(Angle::of), ..settling(0.8, 0.5, n) };
         let (domain, dt) = (terrain.domain(), 50.0 * KYR);
@@ -35,7 +37,9 @@ fn every_node_obeys_the_equation_of_the_step_and_sediment_is_conserved() {
         assert!(flow.lakes() > 20);
         let law = params.law(f64::NEG_INFINITY, dt);
         let k = Resolved::Uniform(K / YEAR);
-        let change = Sediment::default().sweep(&*domain, &flow, &law, &k, &area, terrain.elevation_mut());
+        let rock = Rock { erodibility: &k, layers: None, by_material: false };
+        let change =
+            terrain.change(Layer::Bedrock, |z| Sediment::default().sweep(&*domain, &flow, &law, &rock, &area, z));
         assert!(((change.eroded - change.deposited - change.exported) / change.eroded).abs() < 1e-12);
         assert!(change.deposited > 0.01 * change.eroded && change.exported > 0.0);
         let z = terrain.elevation();

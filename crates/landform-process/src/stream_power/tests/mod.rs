@@ -8,7 +8,7 @@ use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop, Stopped};
 use landform_core::terrain::{HeightField, Mesh, NodeSurface};
 use landform_core::units::{Angle, Erodibility, KYR, Length, MYR, Rate, YEAR};
-use landform_core::verb::{Context, Generator, NoMaps, Outlets, Resolved};
+use landform_core::verb::{Context, Generator, Outlets, Resolved};
 
 use super::braun_willett_2013::sweep;
 use super::yuan_2019::Sediment;
@@ -19,6 +19,7 @@ use crate::uplift::Uplift;
 
 mod deposition;
 mod refine;
+mod strips;
 mod transient;
 mod valleys;
 
@@ -34,12 +35,12 @@ fn raster(n: usize, seed: u64) -> HeightField {
 
 fn mesh(nodes: usize) -> Mesh {
     let params = StreamGraph { nodes, size: [Length::of(10_000.0); 2], ..StreamGraph::default() };
-    params.generate(&Context { seed: Seed(5), maps: &NoMaps }).unwrap()
+    params.generate(&Context { seed: Seed(5), ..Context::default() }).unwrap()
 }
 
 fn law(m: f64, n: f64) -> StreamPower {
     StreamPower {
-        erodibility: Erodibility::of(K).into(),
+        erodibility: Some(Erodibility::of(K).into()),
         area_exponent: m,
         slope_exponent: n,
         ..StreamPower::default()
@@ -119,7 +120,7 @@ fn elevation_is_proportional_to_uplift_over_erodibility() {
     // SP6, to the bit: the factor is a power of two, and the starting noise takes part.
     let run = |factor: f64| {
         let mut terrain = raster(30, 3);
-        terrain.elevation_mut().iter_mut().for_each(|z| *z *= factor);
+        terrain.change(Layer::Bedrock, |z| z.iter_mut().for_each(|z| *z *= factor));
         let mut sim = Simulation::new(terrain)
             .process(Uplift { rate: Rate::from_si(factor * U / YEAR).into() })
             .unwrap()
@@ -146,7 +147,9 @@ fn one_endless_step_on_fixed_receivers_is_the_steady_state() {
         .map(|i| terrain.elevation()[i] + if domain.status()[i] == INTERIOR { U / YEAR * dt } else { 0.0 })
         .collect();
     let law = law(0.5, 1.0).law(f64::NEG_INFINITY, dt);
-    sweep(&*domain, &flow, &law, &Resolved::Uniform(K / YEAR), &area, &mut z);
+    let k = Resolved::Uniform(K / YEAR);
+    let rock = Rock { erodibility: &k, layers: None, by_material: false };
+    sweep(&*domain, &flow, &law, &rock, &area, &mut z);
     for (new, old) in z.iter().zip(terrain.elevation()) {
         assert!((new - old).abs() <= 1e-9 * old.abs(), "{new} {old}");
     }
@@ -208,9 +211,9 @@ fn without_the_clamp_the_highest_point_grows_as_uplift() {
 #[test]
 fn a_lake_floor_is_left_alone_and_its_depth_is_kept() {
     let mut terrain = raster(21, 6);
-    terrain.elevation_mut().iter_mut().enumerate().for_each(|(i, z)| *z = 100.0 - (i / 21) as f64 * 5.0);
+    terrain.change(Layer::Bedrock, |z| z.iter_mut().enumerate().for_each(|(i, z)| *z = 100.0 - (i / 21) as f64 * 5.0));
     let pit = 10 * 21 + 10;
-    terrain.elevation_mut()[pit] = 10.0;
+    terrain.change(Layer::Bedrock, |z| z[pit] = 10.0);
     let mut sim = Simulation::new(terrain).process(law(0.5, 1.0)).unwrap().dt(KYR).until(Stop::steps(1));
     sim.run().unwrap();
     assert_eq!(sim.terrain().elevation()[pit], 10.0);
@@ -248,8 +251,10 @@ fn outlets_can_be_chosen() {
 #[test]
 fn a_domain_without_outlets_is_refused() {
     let mut terrain = raster(10, 9);
-    terrain.grid.edges = Edges::all(Edge::Closed);
-    let error = Process::<HeightField>::start(&law(0.5, 1.0), &mut terrain, &Context { seed: Seed(1), maps: &NoMaps });
+    let grid = Grid { edges: Edges::all(Edge::Closed), ..terrain.grid().clone() };
+    terrain.set_grid(grid).unwrap();
+    let error =
+        Process::<HeightField>::start(&law(0.5, 1.0), &mut terrain, &Context { seed: Seed(1), ..Context::default() });
     assert!(error.unwrap_err().to_string().contains("`outlets`"));
 }
 

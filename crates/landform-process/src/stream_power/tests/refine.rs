@@ -2,7 +2,7 @@
 
 use super::*;
 
-fn refined<T: NodeSurface>(terrain: T, rivers: StreamPower, levels: u32) -> (T, u64) {
+fn refined<T: NodeSurface + landform_core::terrain::Refine>(terrain: T, rivers: StreamPower, levels: u32) -> (T, u64) {
     let mut sim = Simulation::new(terrain)
         .process(uplift(1e3 * U))
         .unwrap()

@@ -30,7 +30,7 @@ fn slopes_follow_an_uplift_that_varies_in_space() {
         .until(Stop::steady(1e-12).or_steps(2_000));
     assert_eq!(sim.run().unwrap().stopped, Stopped::Steady);
     let terrain = sim.into_terrain();
-    let local = rate.resolve("rate", &terrain, &Context { seed: Seed(1), maps: &NoMaps }).unwrap();
+    let local = rate.resolve("rate", &terrain, &Context { seed: Seed(1), ..Context::default() }).unwrap();
     let domain = terrain.domain();
     let (mut flow, mut area) = (Flow::new(), node_areas(&*domain));
     flow.route(&*domain, terrain.elevation(), &mut area);
@@ -91,7 +91,7 @@ fn rescaled_landscapes_are_the_same() {
         grid.edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
         let z = (0..grid.len()).map(|i| if i / n == n - 1 { 0.0 } else { height * Seed(4).uniform(i as u64) });
         let terrain = HeightField::new(grid, z.collect()).unwrap();
-        let rivers = StreamPower { erodibility: Erodibility::of(K / time).into(), ..law(0.5, 1.0) };
+        let rivers = StreamPower { erodibility: Some(Erodibility::of(K / time).into()), ..law(0.5, 1.0) };
         let creep =
             LinearDiffusion { diffusivity: landform_core::units::Diffusivity::of(0.1 * length * length / time).into() };
         let mut sim = Simulation::new(terrain)
@@ -118,9 +118,9 @@ fn rescaled_landscapes_are_the_same() {
 fn slopes_above_the_talus_angle_can_relax_slowly() {
     // Eq. 3.7 of the thesis on a cliff without rivers: the excess over the talus slope falls by 1/(1 + c) a step.
     let mut terrain = line(3, 10.0);
-    terrain.elevation_mut().copy_from_slice(&[0.0, 100.0, 100.0]);
+    terrain.change(Layer::Bedrock, |z| z.copy_from_slice(&[0.0, 100.0, 100.0]));
     let rivers = StreamPower {
-        erodibility: Erodibility::of(0.0).into(),
+        erodibility: Some(Erodibility::of(0.0).into()),
         talus_angle: Some(Angle::of(45.0)),
         talus_relaxation: Some(Rate::of(1.0)),
         ..law(0.5, 1.0)
@@ -135,7 +135,9 @@ fn slopes_above_the_talus_angle_can_relax_slowly() {
 fn the_sea_moves_the_shore_and_rivers_end_at_it() {
     let slope = |sea: &str, rate: f64| {
         let mut terrain = raster(40, 3);
-        terrain.elevation_mut().iter_mut().enumerate().for_each(|(i, z)| *z += (20 - i as i64 / 40) as f64 * 10.0);
+        terrain.change(Layer::Bedrock, |z| {
+            z.iter_mut().enumerate().for_each(|(i, z)| *z += (20 - i as i64 / 40) as f64 * 10.0)
+        });
         let rivers = StreamPower {
             outlets: Some(serde_json::from_str("\"sea\"").unwrap()),
             sea_level: Some(serde_json::from_str(sea).unwrap()),
@@ -171,7 +173,7 @@ fn creep_and_rivers_share_an_unchannelized_strip() {
     // p(x) = (U/D) ∫₀ˣ exp(−K' (xᵐ⁺¹ − sᵐ⁺¹)/(D (m + 1))) ds, K' = K widthᵐ.
     let (n, cell, m, creep) = (101, 2.0, 0.5, 5.0);
     let k = creep / math::pow(200.0, 1.5) / math::pow(cell, m);
-    let rivers = StreamPower { erodibility: Erodibility::of(k).into(), ..law(m, 1.0) };
+    let rivers = StreamPower { erodibility: Some(Erodibility::of(k).into()), ..law(m, 1.0) };
     let mut sim = Simulation::new(line(n, cell))
         .process(uplift(1.0))
         .unwrap()

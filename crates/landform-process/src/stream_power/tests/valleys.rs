@@ -16,7 +16,7 @@ fn strip(index: f64, rows: usize, cols: usize, times: f64, steps: u64) -> Vec<f6
     // C_I = K l^(m + n) / (D^n U^(1 - n)), m = 1/2, n = 1, l the ridge's whole width.
     let k = index * d / math::pow(2.0 * length, 1.5);
     let rivers = StreamPower {
-        erodibility: Erodibility::of(k).into(),
+        erodibility: Some(Erodibility::of(k).into()),
         multiple_flow: Some(1.1),
         specific_area: true,
         ..StreamPower::default()

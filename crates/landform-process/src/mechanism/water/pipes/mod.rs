@@ -100,7 +100,7 @@ impl Pipes {
     }
 
     /// What a node gave to its neighbours in the east, south, west and north since sums were begun, m³; less than 0 if it received.
-    pub fn gave(&self, domain: &RasterDomain, node: usize) -> impl Iterator<Item = (usize, f64)> {
+    pub fn volume_out(&self, domain: &RasterDomain, node: usize) -> impl Iterator<Item = (usize, f64)> {
         let (Scratch { crossed_east: east, crossed_south: south, .. }, shape) = (&self.scratch, domain.shape());
         let (row, col) = (node / shape.cols, node % shape.cols);
         let to_east = (col + 1 < shape.cols).then(|| (node + 1, east[node]));

@@ -1,0 +1,23 @@
+//! `landform completions`.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap_complete::Shell;
+
+use crate::show_error::Failure;
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Shell that shall complete commands.
+    shell: Shell,
+}
+
+pub(crate) fn run(args: &Args, mut command: clap::Command) -> Result<ExitCode, Failure> {
+    let mut text = Vec::new();
+    clap_complete::generate(args.shell, &mut command, "landform", &mut text);
+    match std::io::stdout().write_all(&text) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Ok(ExitCode::FAILURE),
+        _ => Ok(ExitCode::SUCCESS),
+    }
+}

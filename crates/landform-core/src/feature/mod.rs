@@ -1,0 +1,160 @@
+//! Features: things with a name, a kind and a place, such as rivers, lakes and coasts.
+//!
+//! A stage finds them, they stay with the landscape, later stages read them, exports write them. A feature keeps its id when it is
+//! found again elsewhere nearby ([`Features::keep_ids`]).
+
+mod distance;
+mod identity;
+
+use serde::{Deserialize, Serialize};
+
+pub use distance::near;
+
+/// What a feature is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum FeatureKind {
+    /// A reach of a river, from its upper end down.
+    River,
+    /// The shore of a lake.
+    Lake,
+    /// The outline of a drainage basin.
+    Basin,
+    /// A line between land and sea.
+    Coast,
+    /// A line of one elevation.
+    Contour,
+}
+
+impl FeatureKind {
+    /// All kinds, by the word for several of them.
+    pub const ALL: &'static [(&'static str, Self)] = &[
+        ("rivers", Self::River),
+        ("lakes", Self::Lake),
+        ("basins", Self::Basin),
+        ("coasts", Self::Coast),
+        ("contours", Self::Contour),
+    ];
+
+    /// The word for one: "river".
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::River => "river",
+            Self::Lake => "lake",
+            Self::Basin => "basin",
+            Self::Coast => "coast",
+            Self::Contour => "contour",
+        }
+    }
+
+    /// The kind that a word for several names: "rivers".
+    pub fn of(word: &str) -> Option<Self> {
+        Self::ALL.iter().find(|k| k.0 == word).map(|k| k.1)
+    }
+}
+
+/// A part of the plane: rings of (x, y), the outer one first, m.
+pub type Polygon = Vec<Vec<[f64; 2]>>;
+
+/// Where a feature lies, m.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Geometry {
+    /// A place.
+    Point([f64; 3]),
+    /// A line.
+    Line(Vec<[f64; 3]>),
+    /// A line in the plane; closed ones begin and end at the same place.
+    FlatLine(Vec<[f64; 2]>),
+    /// Parts of the plane.
+    Area(Vec<Polygon>),
+    /// Places joined by edges.
+    Network {
+        /// The places.
+        nodes: Vec<[f64; 3]>,
+        /// Indices of the two ends of each edge.
+        edges: Vec<[u32; 2]>,
+    },
+}
+
+/// A property of a feature.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Property {
+    /// Not known, or none.
+    None,
+    /// Yes or no.
+    Flag(bool),
+    /// A whole number.
+    Whole(u32),
+    /// A number.
+    Number(f64),
+    /// A text.
+    Text(String),
+    /// The id of another feature.
+    Id(String),
+    /// A place in the plane, m.
+    Place([f64; 2]),
+}
+
+/// A thing with a name, a kind and a place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Feature {
+    /// Name among its kind.
+    pub id: String,
+    /// What it is.
+    pub kind: FeatureKind,
+    /// Where it lies.
+    pub geometry: Geometry,
+    /// What is known of it, in order.
+    pub properties: Vec<(String, Property)>,
+}
+
+/// The features of a landscape.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Features(Vec<Feature>);
+
+impl Features {
+    /// All, in order.
+    pub fn iter(&self) -> std::slice::Iter<'_, Feature> {
+        self.0.iter()
+    }
+
+    /// Those of a kind.
+    pub fn of(&self, kind: FeatureKind) -> impl Iterator<Item = &Feature> {
+        self.0.iter().filter(move |f| f.kind == kind)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Replaces all features of the kinds that `found` holds; they keep the ids of those that they lie nearest to.
+    pub fn update(&mut self, mut found: Self) {
+        found.keep_ids(self);
+        let kinds: Vec<FeatureKind> = found.iter().map(|f| f.kind).collect();
+        self.0.retain(|f| !kinds.contains(&f.kind));
+        self.0.append(&mut found.0);
+    }
+}
+
+impl FromIterator<Feature> for Features {
+    fn from_iter<I: IntoIterator<Item = Feature>>(features: I) -> Self {
+        Self(features.into_iter().collect())
+    }
+}
+
+impl Feature {
+    /// Places along the feature: points of lines, corners of areas.
+    pub(crate) fn places(&self) -> Vec<[f64; 2]> {
+        let flat = |p: &[f64; 3]| [p[0], p[1]];
+        match &self.geometry {
+            Geometry::Point(p) => vec![flat(p)],
+            Geometry::Line(line) => line.iter().map(flat).collect(),
+            Geometry::FlatLine(line) => line.clone(),
+            Geometry::Area(parts) => parts.iter().flatten().flatten().copied().collect(),
+            Geometry::Network { nodes, .. } => nodes.iter().map(flat).collect(),
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! A stage whose parameters have been read.
+
+use std::any::Any;
+use std::fmt;
+
+use serde_json::Value as Json;
+
+use super::parameters::{Parameters, Refusal};
+use super::row::{Act, Run, Stage};
+use crate::terrain::{AnyTerrain, Kind, bytes_a_node};
+use crate::verb::{Context, Estimate, Landscape, Output, OwnClock, Params, Reach};
+use crate::{Error, Result};
+
+/// A stage with its parameters, read once and ready to run.
+#[derive(Clone)]
+pub struct ReadStage {
+    stage: &'static Stage,
+    parameters: Parameters,
+}
+
+impl fmt::Debug for ReadStage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.stage.name, self.parameters.normal)
+    }
+}
+
+impl Stage {
+    /// Reads and validates parameters, once.
+    ///
+    /// # Errors
+    /// [`Refusal`] with the place or the parameter that is wrong.
+    pub fn read(&'static self, json: &Json) -> Result<ReadStage, Refusal> {
+        (self.form.read)(json).map(|parameters| ReadStage::new(self, parameters))
+    }
+
+    /// The stage with parameters that somebody has already.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if one is out of range.
+    pub fn with<P: Params>(&'static self, params: P) -> Result<ReadStage> {
+        params.validate()?;
+        Ok(ReadStage::new(self, Parameters::new(params)?))
+    }
+}
+
+impl ReadStage {
+    pub(super) fn new(stage: &'static Stage, parameters: Parameters) -> Self {
+        Self { stage, parameters }
+    }
+
+    /// Its row.
+    pub fn stage(&self) -> &'static Stage {
+        self.stage
+    }
+
+    /// The parameters in customary units, defaults included.
+    pub fn parameters(&self) -> &Json {
+        &self.parameters.normal
+    }
+
+    /// Files that it will write, below the output folder.
+    pub fn outputs(&self) -> &[String] {
+        &self.parameters.outputs
+    }
+
+    /// How far around a place the ground can matter.
+    pub fn reach(&self) -> Reach {
+        self.parameters.reach
+    }
+
+    /// The clock that it brings with it, if it is a process that does.
+    pub fn own_clock(&self) -> Option<OwnClock> {
+        match self.stage.acts.first()?.run {
+            Run::Process { own_clock, .. } => own_clock(&*self.parameters.value),
+            _ => None,
+        }
+    }
+
+    fn act(&self, kind: Option<Kind>) -> Result<&Act> {
+        self.stage.act_on(kind).ok_or_else(|| Error::Unsupported {
+            what: format!("`{}`", self.stage.name),
+            on: kind.map_or("landscape without a terrain".into(), |k| k.to_string()),
+            supports: self.stage.kinds().map(|k| format!("a {k}")).collect::<Vec<_>>().join(" or "),
+        })
+    }
+
+    /// What the stage will need, given what the terrain is.
+    ///
+    /// # Errors
+    /// What can be told to fail without running.
+    pub fn estimate(&self, kind: Option<Kind>, before: Estimate, context: &Context) -> Result<Estimate> {
+        let params = &*self.parameters.value;
+        match self.act(kind)?.run {
+            Run::Generate { estimate, .. } => estimate(params, context),
+            Run::Edit { estimate, .. } | Run::Convert { estimate, .. } => estimate(params, before),
+            _ => Ok(Estimate { bytes: before.nodes * kind.map_or(0, bytes_a_node), ..before }),
+        }
+    }
+
+    /// Makes or changes a terrain, for stages that do so at once; `terrain` is the one before.
+    ///
+    /// # Errors
+    /// What the stage reports; [`Error::Unsupported`] without a terrain to work on, or for a process.
+    pub fn apply(&self, terrain: Option<&AnyTerrain>, context: &Context) -> Result<AnyTerrain> {
+        let params = &*self.parameters.value;
+        let act = self.act(terrain.map(AnyTerrain::kind))?;
+        match (act.run, terrain) {
+            (Run::Generate { make, .. }, _) => make(params, context),
+            (Run::Convert { convert, .. }, Some(terrain)) => convert(params, terrain),
+            (Run::Edit { edit, .. }, Some(terrain)) => {
+                let mut terrain = terrain.clone();
+                edit(params, &mut terrain, context)?;
+                Ok(terrain)
+            }
+            (_, terrain) => {
+                terrain.cloned().ok_or(Error::Recipe { at: None, what: "there is no terrain yet".into(), hint: None })
+            }
+        }
+    }
+
+    /// Adds a process to a [`crate::sim::Model`], given as what it is.
+    ///
+    /// # Errors
+    /// As [`crate::sim::Model::add`]; [`Error::Unsupported`] for a model of another kind of terrain, or another stage.
+    pub fn add_to(&self, kind: Kind, model: &mut dyn Any) -> Result<()> {
+        match self.act(Some(kind))?.run {
+            Run::Process { add, .. } => add(&*self.parameters.value, model),
+            _ => Ok(()),
+        }
+    }
+
+    /// Measures or writes; files go to `out`.
+    ///
+    /// # Errors
+    /// What the stage reports.
+    pub fn tell(&self, landscape: &Landscape<'_, AnyTerrain>, out: &mut dyn Output) -> Result<()> {
+        let params = &*self.parameters.value;
+        match self.act(Some(landscape.terrain.kind()))?.run {
+            Run::Export(export) => export(params, landscape, out),
+            Run::Measure(measure) => {
+                let (path, value) = measure(params, landscape)?;
+                let text = serde_json::to_string_pretty(&value).map_err(|e| Error::format("JSON", e))?;
+                out.put(&path, text.as_bytes())
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! A row of the table of stages.
+
+use std::any::Any;
+
+use schemars::JsonSchema;
+use serde_json::Value as Json;
+
+use super::parameters::{Parameters, Refusal, typed};
+use crate::sim::Model;
+use crate::terrain::{AnyTerrain, Held, Kind};
+use crate::verb::{
+    Context, Convert, Edit, Estimate, Export, Generator, Landscape, Measure, Output, OwnClock, Params, Process, Source,
+    properties,
+};
+use crate::{Error, Result};
+
+/// What a stage does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verb {
+    /// Makes a terrain.
+    Generate,
+    /// Changes it once.
+    Edit,
+    /// Changes its representation.
+    Convert,
+    /// Changes it over time.
+    Process,
+    /// Tells something about it.
+    Measure,
+    /// Writes files.
+    Export,
+}
+
+impl Verb {
+    /// The verb as a heading.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Generate => "generate",
+            Self::Edit => "edit",
+            Self::Convert => "convert",
+            Self::Process => "process",
+            Self::Measure => "measure",
+            Self::Export => "export",
+        }
+    }
+
+    /// Whether the terrain after it differs from the one before.
+    pub fn changes_terrain(self) -> bool {
+        !matches!(self, Self::Measure | Self::Export)
+    }
+}
+
+/// A stage: what is known of its parameters, and what to do on each kind of terrain.
+#[derive(Debug)]
+pub struct Stage {
+    /// Name in recipes.
+    pub name: &'static str,
+    /// What it does.
+    pub verb: Verb,
+    /// Papers behind it.
+    pub sources: &'static [Source],
+    /// Keys whose value is a path that is read.
+    pub inputs: &'static [&'static str],
+    /// Whether it takes other landscapes.
+    pub with: bool,
+    /// Fields that a process changes.
+    pub writes: &'static [&'static str],
+    /// Words of earlier recipes, and what they are called now.
+    pub renamed: &'static [(&'static str, &'static str)],
+    /// What is known of its parameters.
+    pub form: Form,
+    /// What to do, once for each kind of terrain.
+    pub acts: &'static [Act],
+}
+
+/// What is known of a stage's parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct Form {
+    /// Name and schema of each parameter.
+    pub properties: fn() -> Vec<(String, Json)>,
+    /// JSON schema.
+    pub schema: fn() -> Json,
+    /// Defaults, in customary units.
+    pub defaults: fn() -> Json,
+    /// Reads and validates.
+    pub(super) read: fn(&Json) -> Result<Parameters, Refusal>,
+}
+
+impl Form {
+    /// What is known of parameters.
+    pub const fn of<P: Params>() -> Self {
+        Self {
+            properties: properties::<P>,
+            schema: schema_of::<P>,
+            defaults: || serde_json::to_value(P::default()).unwrap_or_default(),
+            read: |json| {
+                let params: P = serde_path_to_error::deserialize(json).map_err(Refusal::Shape)?;
+                params.validate().map_err(Refusal::Value)?;
+                Parameters::new(params).map_err(Refusal::Value)
+            },
+        }
+    }
+}
+
+/// The JSON schema of parameters.
+pub(crate) fn schema_of<P: JsonSchema>() -> Json {
+    schemars::schema_for!(P).to_value()
+}
+
+/// What a stage does on a kind of terrain.
+#[derive(Clone, Copy, Debug)]
+pub struct Act {
+    /// Kind of terrain that it needs; none for generators.
+    pub on: Option<Kind>,
+    /// Kind of terrain after it; none if it changes nothing.
+    pub to: Option<Kind>,
+    /// What to do with the parameters that were read.
+    pub run: Run,
+}
+
+/// What to do with parameters that were read.
+#[derive(Clone, Copy, Debug)]
+pub enum Run {
+    /// Makes a terrain.
+    Generate {
+        /// Makes it.
+        make: fn(&dyn Any, &Context) -> Result<AnyTerrain>,
+        /// Tells what it will need.
+        estimate: fn(&dyn Any, &Context) -> Result<Estimate>,
+    },
+    /// Changes a terrain once.
+    Edit {
+        /// Changes it.
+        edit: fn(&dyn Any, &mut AnyTerrain, &Context) -> Result<()>,
+        /// Tells what it will need.
+        estimate: fn(&dyn Any, Estimate) -> Result<Estimate>,
+    },
+    /// Changes the representation.
+    Convert {
+        /// Changes it.
+        convert: fn(&dyn Any, &AnyTerrain) -> Result<AnyTerrain>,
+        /// Tells what it will need.
+        estimate: fn(&dyn Any, Estimate) -> Result<Estimate>,
+    },
+    /// Changes a terrain over time.
+    Process {
+        /// Adds itself to a [`Model`] of its kind of terrain.
+        add: fn(&dyn Any, &mut dyn Any) -> Result<()>,
+        /// The clock that it brings.
+        own_clock: fn(&dyn Any) -> Option<OwnClock>,
+    },
+    /// Tells something about a terrain: path and value.
+    Measure(fn(&dyn Any, &Landscape<'_, AnyTerrain>) -> Result<(String, Json)>),
+    /// Writes files.
+    Export(fn(&dyn Any, &Landscape<'_, AnyTerrain>, &mut dyn Output) -> Result<()>),
+}
+
+/// A generator's act.
+pub const fn generate<P: Generator<T>, T: Held>() -> Act {
+    let run = Run::Generate {
+        make: |params, context| Ok(typed::<P>(params)?.generate(context)?.wrap()),
+        estimate: |params, context| typed::<P>(params)?.estimate(context),
+    };
+    Act { on: None, to: Some(T::KIND), run }
+}
+
+/// An edit's act.
+pub const fn edit<P: Edit<T>, T: Held>() -> Act {
+    let run = Run::Edit {
+        edit: |params, terrain, context| typed::<P>(params)?.edit(terrain.get_mut::<T>(P::NAME)?, context),
+        estimate: |params, before| Ok(typed::<P>(params)?.estimate(before)),
+    };
+    Act { on: Some(T::KIND), to: Some(T::KIND), run }
+}
+
+/// A conversion's act.
+pub const fn convert<P: Convert<S, T>, S: Held, T: Held>() -> Act {
+    let run = Run::Convert {
+        convert: |params, terrain| Ok(typed::<P>(params)?.convert(terrain.get::<S>(P::NAME)?)?.wrap()),
+        estimate: |params, source| Ok(typed::<P>(params)?.estimate(source)),
+    };
+    Act { on: Some(S::KIND), to: Some(T::KIND), run }
+}
+
+/// A process' act.
+pub const fn process<P: Process<T>, T: Held>() -> Act {
+    let run = Run::Process {
+        add: |params, model| match model.downcast_mut::<Model<T>>() {
+            Some(model) => model.add(typed::<P>(params)?.clone()),
+            None => Err(Error::Unsupported {
+                what: P::NAME.into(),
+                on: "another terrain".into(),
+                supports: T::KIND.to_string(),
+            }),
+        },
+        own_clock: |params| typed::<P>(params).ok().and_then(P::own_clock),
+    };
+    Act { on: Some(T::KIND), to: Some(T::KIND), run }
+}
+
+/// A measure's act.
+pub const fn measure<P: Measure<T>, T: Held>() -> Act {
+    let run = Run::Measure(|params, landscape| {
+        let params = typed::<P>(params)?;
+        let terrain = landscape.terrain.get::<T>(P::NAME)?;
+        let value = serde_json::to_value(params.measure(&landscape.with(terrain))?);
+        Ok((params.path().into(), value.map_err(|e| Error::format("measure", e))?))
+    });
+    Act { on: Some(T::KIND), to: None, run }
+}
+
+/// An export's act.
+pub const fn export<P: Export<T>, T: Held>() -> Act {
+    let run = Run::Export(|params, landscape, out| {
+        let terrain = landscape.terrain.get::<T>(P::NAME)?;
+        typed::<P>(params)?.export(&landscape.with(terrain), out)
+    });
+    Act { on: Some(T::KIND), to: None, run }
+}
+
+impl Stage {
+    /// A row without acts.
+    pub const fn new<P: Params>(verb: Verb, writes: &'static [&'static str]) -> Self {
+        let (name, sources, inputs, with, renamed) = (P::NAME, P::SOURCES, P::INPUTS, P::WITH, P::RENAMED);
+        Self { name, verb, sources, inputs, with, writes, renamed, form: Form::of::<P>(), acts: &[] }
+    }
+
+    /// The act on a kind of terrain.
+    pub fn act_on(&self, kind: Option<Kind>) -> Option<&Act> {
+        self.acts.iter().find(|a| a.on.is_none() || a.on == kind)
+    }
+
+    /// The kinds of terrain that it runs on; none for generators.
+    pub fn kinds(&self) -> impl Iterator<Item = Kind> {
+        self.acts.iter().filter_map(|a| a.on)
+    }
+
+    /// What the stage is for, in a sentence or two.
+    pub fn summary(&self) -> String {
+        (self.form.schema)()["description"].as_str().unwrap_or_default().replace('\n', " ")
+    }
+}

@@ -1,0 +1,155 @@
+//! A terrain of any representation: what is passed from stage to stage.
+
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Ground, HeightField, Kind, Mesh, NodeSurface, Refine, Terrain, height_field_from_mesh};
+use crate::{Error, Result};
+
+/// A surface that a raster can stand for.
+pub trait Rasterize: NodeSurface {
+    /// The raster itself, or one that stands for the surface in pictures and measures.
+    ///
+    /// # Errors
+    /// As [`HeightField::new`].
+    fn rasterized(&self) -> Result<Cow<'_, HeightField>>;
+}
+
+impl Rasterize for HeightField {
+    fn rasterized(&self) -> Result<Cow<'_, HeightField>> {
+        Ok(Cow::Borrowed(self))
+    }
+}
+
+impl Rasterize for Mesh {
+    /// Cells of half the mean distance between nodes, within 2048² cells.
+    fn rasterized(&self) -> Result<Cow<'_, HeightField>> {
+        let area = self.area();
+        let cell = 0.5 * (area / self.positions().len() as f64).sqrt();
+        height_field_from_mesh(self, cell.max((area / (2048.0 * 2048.0)).sqrt())).map(Cow::Owned)
+    }
+}
+
+/// What every surface that recipes pass on can do.
+pub trait Surface: Rasterize + Ground + Refine + Held {}
+
+impl<T: Rasterize + Ground + Refine + Held> Surface for T {}
+
+/// A representation that [`AnyTerrain`] can hold.
+pub trait Held: Terrain {
+    /// Puts it in.
+    fn wrap(self) -> AnyTerrain;
+    /// Looks whether it is in there.
+    fn of(any: &AnyTerrain) -> Option<&Self>;
+    /// Looks whether it is in there, to change it.
+    fn of_mut(any: &mut AnyTerrain) -> Option<&mut Self>;
+}
+
+/// Something to do with a terrain whose representation is only known when it is met.
+pub trait Visit {
+    /// What comes of it.
+    type Out;
+    /// Does it.
+    fn visit<T: Surface>(self, terrain: &T) -> Self::Out;
+}
+
+/// The list of representations: everything that differs by kind is made from it.
+macro_rules! representations {
+    ($($(#[$doc:meta])* $type:ident),*) => {
+        /// A terrain of any representation.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        #[non_exhaustive]
+        pub enum AnyTerrain {
+            $($(#[$doc])* $type($type)),*
+        }
+
+        $(impl Held for $type {
+            fn wrap(self) -> AnyTerrain {
+                AnyTerrain::$type(self)
+            }
+            fn of(any: &AnyTerrain) -> Option<&Self> {
+                #[allow(irrefutable_let_patterns, reason = "for a list of one")]
+                if let AnyTerrain::$type(t) = any { Some(t) } else { None }
+            }
+            fn of_mut(any: &mut AnyTerrain) -> Option<&mut Self> {
+                #[allow(irrefutable_let_patterns, reason = "for a list of one")]
+                if let AnyTerrain::$type(t) = any { Some(t) } else { None }
+            }
+        })*
+
+        impl AnyTerrain {
+            /// Shows the terrain to a visitor: the only `match` on representations.
+            pub fn visit<V: Visit>(&self, visitor: V) -> V::Out {
+                match self {
+                    $(Self::$type(t) => visitor.visit(t)),*
+                }
+            }
+        }
+
+        /// Bytes a node while processes run on a kind of terrain, measured.
+        pub fn bytes_a_node(kind: Kind) -> u64 {
+            [$(($type::KIND, $type::BYTES_A_NODE)),*].iter().find(|k| k.0 == kind).map_or(0, |k| k.1)
+        }
+    };
+}
+
+representations! {
+    /// A raster.
+    HeightField,
+    /// An irregular mesh.
+    Mesh
+}
+
+impl AnyTerrain {
+    /// Which representation it is.
+    pub fn kind(&self) -> Kind {
+        struct KindOf;
+        impl Visit for KindOf {
+            type Out = Kind;
+            fn visit<T: Surface>(self, _: &T) -> Kind {
+                T::KIND
+            }
+        }
+        self.visit(KindOf)
+    }
+
+    /// The terrain as a representation, for `what`.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if it is another one.
+    pub fn get<T: Held>(&self, what: &str) -> Result<&T> {
+        T::of(self).ok_or_else(|| self.unsupported(what, T::KIND))
+    }
+
+    /// The terrain as a representation, for `what`, to change.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if it is another one.
+    pub fn get_mut<T: Held>(&mut self, what: &str) -> Result<&mut T> {
+        let error = self.unsupported(what, T::KIND);
+        T::of_mut(self).ok_or(error)
+    }
+
+    fn unsupported(&self, what: &str, supports: Kind) -> Error {
+        Error::Unsupported { what: format!("`{what}`"), on: self.kind().to_string(), supports: format!("a {supports}") }
+    }
+
+    /// Elevation per node, m; NaN on nodata.
+    pub fn elevation(&self) -> &[f64] {
+        // A visitor cannot hand out what it borrows.
+        HeightField::of(self).map(NodeSurface::elevation).or(Mesh::of(self).map(NodeSurface::elevation)).unwrap_or(&[])
+    }
+
+    /// Names of all values that can be asked for.
+    pub fn names(&self) -> Vec<String> {
+        struct Names;
+        impl Visit for Names {
+            type Out = Vec<String>;
+            fn visit<T: Surface>(self, terrain: &T) -> Vec<String> {
+                terrain.names()
+            }
+        }
+        self.visit(Names)
+    }
+}

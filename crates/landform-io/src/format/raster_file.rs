@@ -1,0 +1,55 @@
+//! A raster to be written.
+
+use landform_core::grid::Grid;
+
+use super::GeotiffOptions;
+
+/// What the values of a raster are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Samples {
+    /// Real numbers.
+    #[default]
+    Real,
+    /// Counts and identifiers, as 32-bit whole numbers.
+    Counts,
+    /// Classes, as bytes.
+    Classes,
+}
+
+/// A raster to be written.
+#[derive(Clone, Debug)]
+pub struct RasterFile<'a> {
+    /// The grid.
+    pub grid: &'a Grid,
+    /// Values, row-major from the north-west; NaN is nodata.
+    pub values: &'a [f64],
+    /// Name of the field.
+    pub field: &'a str,
+    /// Its unit.
+    pub unit: &'a str,
+    /// What the values are, and so how they are stored.
+    pub samples: Samples,
+    /// Names of classes, where the values are classes.
+    pub legend: Vec<(u8, String)>,
+    /// Seed of the recipe, for the sidecar.
+    pub seed: u64,
+    /// What GeoTIFF lets one choose.
+    pub geotiff: GeotiffOptions,
+}
+
+impl<'a> RasterFile<'a> {
+    /// Real numbers, with the usual options.
+    pub fn real(grid: &'a Grid, values: &'a [f64], field: &'a str, unit: &'a str, seed: u64) -> Self {
+        let (samples, legend, geotiff) = (Samples::Real, Vec::new(), GeotiffOptions::default());
+        Self { grid, values, field, unit, samples, legend, seed, geotiff }
+    }
+}
+
+impl RasterFile<'_> {
+    /// Least and greatest value; (0, 0) without data.
+    pub fn range(&self) -> (f64, f64) {
+        let finite = self.values.iter().copied().filter(|v| v.is_finite());
+        let range = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        if range.0 <= range.1 { range } else { (0.0, 0.0) }
+    }
+}

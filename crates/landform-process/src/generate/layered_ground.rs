@@ -1,0 +1,178 @@
+//! Ground of bedded rock with loose layers on it.
+
+use landform_core::grid::Grid;
+use landform_core::terrain::{Bed, HeightField, Layers, Materials, NodeSurface};
+use landform_core::units::{Angle, Length, LengthDimension};
+use landform_core::verb::{Context, Estimate, Generator, Params, Source, Varying};
+use landform_core::{Error, Result, math, parallel};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::GridParams;
+
+/// Ground in beds of rock that dip to a side, with loose layers such as soil on them. Rivers, creep and talus find each bed's own
+/// erodibility and angle of repose: mesas, cuestas and ledges follow.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct LayeredGround {
+    /// Extent and distance between nodes.
+    pub grid: GridParams,
+    /// Elevation of the surface, loose layers included; may vary in space.
+    pub surface: Varying<LengthDimension>,
+    /// Beds from the top, repeated downwards: { material, thickness }. One rock without beds, if none are given.
+    pub beds: Vec<BedParams>,
+    /// Elevation of the upper face of the first bed in the middle of the map; the highest ground if not given.
+    pub top: Option<Length>,
+    /// Angle by which beds dip.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
+    pub dip: Angle,
+    /// Compass direction towards which they dip.
+    pub dip_direction: Angle,
+    /// Loose layers, lowest first: { material, depth }. The depth may vary in space.
+    pub layers: Vec<LooseParams>,
+}
+
+/// A bed of rock.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BedParams {
+    /// Name of the material.
+    pub material: String,
+    /// Thickness across the bed.
+    #[schemars(extend("x-above" = 0.0))]
+    pub thickness: Length,
+}
+
+/// A loose layer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LooseParams {
+    /// Name of the material.
+    pub material: String,
+    /// Depth; may vary in space.
+    #[schemars(extend("x-min" = 0.0))]
+    pub depth: Varying<LengthDimension>,
+}
+
+impl Default for LayeredGround {
+    fn default() -> Self {
+        let bed = |material: &str, thickness| BedParams { material: material.into(), thickness: Length::of(thickness) };
+        Self {
+            grid: GridParams::default(),
+            surface: Length::of(400.0).into(),
+            beds: vec![bed("sandstone", 60.0), bed("shale", 90.0)],
+            top: None,
+            dip: Angle::of(0.0),
+            dip_direction: Angle::of(0.0),
+            layers: Vec::new(),
+        }
+    }
+}
+
+impl Params for LayeredGround {
+    const NAME: &'static str = "layered_ground";
+    const SOURCES: &'static [Source] = &[];
+
+    fn check(&self) -> Result<()> {
+        self.grid.check()?;
+        if let Some(bed) = self.beds.iter().find(|b| !(b.thickness.si() > 0.0)) {
+            return Err(Error::parameter("beds", format!("a bed of {}", bed.thickness), "beds thicker than 0 m"));
+        }
+        Ok(())
+    }
+}
+
+impl LayeredGround {
+    fn strata(&self, terrain: &HeightField, materials: &Materials) -> Result<Layers> {
+        let grid = terrain.grid();
+        if self.beds.is_empty() {
+            return Ok(Layers::rock(materials, grid.len()));
+        }
+        // Thickness is across the bed, depth is measured straight down.
+        let upright = 1.0 / math::cos(self.dip.si());
+        let bed = |b: &BedParams| {
+            let material = materials.need(&b.material, "beds.material")?;
+            Ok(Bed { material, thickness: b.thickness.si() * upright })
+        };
+        let sequence = self.beds.iter().map(bed).collect::<Result<Vec<_>>>()?;
+        let z = terrain.elevation();
+        let top = self.top.map_or_else(|| parallel::max(z.len(), |i| z[i]), Length::si);
+        let [lo, hi] = terrain.bounds();
+        let middle = [0, 1].map(|k| 0.5 * (lo[k] + hi[k]));
+        let (azimuth, fall) = (self.dip_direction.si(), math::tan(self.dip.si()));
+        let towards = [math::sin(azimuth), math::cos(azimuth)];
+        let datum = parallel::map(z.len(), |i| {
+            let [x, y] = grid.position(i);
+            top - fall * ((x - middle[0]) * towards[0] + (y - middle[1]) * towards[1])
+        });
+        Layers::bedded(materials, sequence, datum)
+    }
+}
+
+impl Generator<HeightField> for LayeredGround {
+    fn generate(&self, context: &Context) -> Result<HeightField> {
+        let grid: Grid = self.grid.grid()?;
+        let nodes = grid.len();
+        let mut terrain = HeightField::new(grid, vec![0.0; nodes])?;
+        let surface = self.surface.resolve("surface", &terrain, context)?;
+        let depths = self.layers.iter().map(|layer| {
+            context.environment.materials.need(&layer.material, "layers.material")?;
+            let depth = layer.depth.resolve("layers.depth", &terrain, context)?;
+            match parallel::find_first(nodes, |i| !(depth.at(i) >= 0.0)) {
+                Some(i) => {
+                    Err(Error::parameter("layers.depth", format!("{} m", depth.at(i)), "at least 0 m everywhere"))
+                }
+                None => Ok((layer.material.as_str(), parallel::map(nodes, |i| depth.at(i)))),
+            }
+        });
+        let depths = depths.collect::<Result<Vec<_>>>()?;
+        // Rock first: loose layers lift the surface to where it shall be.
+        let rock = |i: usize| depths.iter().fold(surface.at(i), |z, (_, depth)| z - depth[i]);
+        terrain = HeightField::new(terrain.grid().clone(), parallel::map(nodes, rock))?;
+        let strata = self.strata(&terrain, &context.environment.materials)?;
+        terrain.set_layers(Some(strata));
+        depths.iter().try_for_each(|(material, depth)| terrain.change_depth(material, depth))?;
+        Ok(terrain)
+    }
+
+    fn estimate(&self, _: &Context) -> Result<Estimate> {
+        let nodes = self.grid.grid()?.len() as u64;
+        let bytes = nodes * (60 + 24 * self.layers.len() as u64);
+        Ok(Estimate { nodes, bytes, extent: self.grid.size.map(Length::si) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn beds_dip_and_loose_layers_reach_the_surface() {
+        let ground: LayeredGround = serde_json::from_str(
+            r#"{"grid":{"size":["1 km","1 km"],"cell_size":"100 m"},"surface":"500 m","top":"500 m","dip":"10 deg",
+                "dip_direction":"90 deg","beds":[{"material":"sandstone","thickness":"40 m"},
+                {"material":"shale","thickness":"60 m"}],"layers":[{"material":"soil","depth":{"formula":"2*u","unit":"m"}}]}"#,
+        )
+        .unwrap();
+        ground.validate().unwrap();
+        let terrain = ground.generate(&Context::default()).unwrap();
+        assert!(terrain.elevation().iter().all(|z| (z - 500.0).abs() < 1e-9));
+        let layers = terrain.layers().unwrap();
+        assert_eq!(layers.depth("soil").unwrap()[5 * 11 + 10], 2.0);
+        assert_eq!(layers.surface(5 * 11 + 10, 500.0).name, "soil");
+        // 500 m from the middle the first bed's top lies 500 tan 10° = 88 m lower in the east and higher in the west. In the east
+        // the sequence, 101.5 m thick straight down, repeats above it: sandstone, then shale down to that top.
+        let rock =
+            |node: usize| layers.column(node, 500.0).filter(|s| s.material.name != "soil").take(2).collect::<Vec<_>>();
+        let (east, west) = (rock(5 * 11 + 10), rock(5 * 11));
+        let top = 500.0 - 500.0 * math::tan(10.0_f64.to_radians());
+        assert_eq!((&*east[0].material.name, &*east[1].material.name), ("sandstone", "shale"));
+        assert!((east[1].bottom - top).abs() < 1e-9, "{} {top}", east[1].bottom);
+        assert_eq!(&*west[0].material.name, "shale");
+        let wrong = LayeredGround {
+            beds: vec![BedParams { material: "shalle".into(), thickness: Length::of(3.0) }],
+            ..ground.clone()
+        };
+        assert!(wrong.generate(&Context::default()).unwrap_err().to_string().contains("\"shale\"?"));
+    }
+}

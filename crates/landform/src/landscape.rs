@@ -1,0 +1,242 @@
+//! A landscape that one owns: opened, evolved, measured, saved.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use landform_core::random::Seed;
+use landform_core::sim::{Model, Simulation, Stop};
+use landform_core::stage::{ReadStage, Verb};
+use landform_core::terrain::{AnyTerrain, HeightField, Held, NodeSurface, Surface, Visit};
+use landform_core::verb::{Context, Environment, Event, MemoryOutput, Outcome, Params, Stopped};
+use landform_core::{Error, Result};
+use landform_io::files::write_whole;
+use landform_io::format::{
+    MeshFile, RasterFile, load_raster, mesh_file_from_height_field, mesh_file_from_mesh, mesh_format, raster_format,
+    sidecar_path,
+};
+use landform_io::import::{FileMaps, in_degrees};
+
+use crate::recipe::stages;
+
+/// A terrain with what surrounds it and how it came to be.
+///
+/// ```
+/// use landform::prelude::*;
+///
+/// # fn main() -> landform::Result<()> {
+/// # let folder = std::env::temp_dir().join(format!("landform-doc-{}", std::process::id()));
+/// # std::fs::create_dir_all(&folder).unwrap();
+/// # let (dem, after) = (folder.join("dem.asc"), folder.join("after.tif"));
+/// # let rows = (0..24).map(|r| (0..24).map(|c| ((r * 7 + c * 3) % 11).to_string()).collect::<Vec<_>>().join(" "));
+/// # let head = "ncols 24\nnrows 24\nxllcorner 0\nyllcorner 0\ncellsize 100\n";
+/// # std::fs::write(&dem, head.to_string() + &rows.collect::<Vec<_>>().join("\n")).unwrap();
+/// let mut land = Landscape::open(&dem)?;
+/// land.evolve(kyr(10.0), myr(0.2))
+///     .with(Uplift { rate: mm_per_yr(0.5).into() })
+///     .with(StreamPower::default())
+///     .run()?;
+/// land.save(&after)?;
+/// # std::fs::remove_dir_all(&folder).ok();
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Landscape {
+    /// The terrain.
+    pub terrain: AnyTerrain,
+    /// Sea level, rain, winds and materials.
+    pub environment: Arc<Environment>,
+    /// What was done so far, oldest first.
+    pub history: Vec<Event>,
+    /// Title, for pictures and reports.
+    pub title: String,
+    /// Seed of everything that is random.
+    pub seed: u64,
+}
+
+impl<T: Held> From<T> for Landscape {
+    fn from(terrain: T) -> Self {
+        Self::of(terrain.wrap())
+    }
+}
+
+impl Landscape {
+    /// A terrain by itself.
+    pub fn of(terrain: AnyTerrain) -> Self {
+        Self { terrain, environment: Arc::default(), history: Vec::new(), title: String::new(), seed: 0 }
+    }
+
+    /// Reads an elevation file: GeoTIFF, ESRI ASCII, PNG, PNM, EXR, NPY, RAW16. Water leaves by the low points of the border.
+    ///
+    /// # Errors
+    /// [`Error::Io`] or [`Error::Format`] for a file that cannot be read; [`Error::Parameter`] for one in degrees, since slopes need metres.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let mut field = load_raster(path)?;
+        if in_degrees(&field) {
+            let value = format!("\"{}\", which is in degrees of longitude and latitude", path.display());
+            return Err(Error::parameter("path", value, "metres; warp it to UTM first"));
+        }
+        let valleys = landform_core::verb::Outlets::Named(landform_core::verb::NamedOutlets::Valleys);
+        valleys.apply(&mut field, 0.0, &Context::default())?;
+        let title = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+        Ok(Self { title, ..Self::of(field.wrap()) })
+    }
+
+    /// Writes the surface: the extension says whether as a raster (tif, asc, exr, npy, png, pgm, r16) or as triangles (glb, obj, ply, stl).
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for an extension that is not known, or a raster of a mesh (`to_height_field` makes one); [`Error::Io`].
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        let path = path.as_ref();
+        if let Ok(format) = mesh_format(path) {
+            return write_whole(path, &(format.write)(&self.triangles()?)?);
+        }
+        let format = raster_format(path)?;
+        let field = self.terrain.get::<HeightField>("save")?;
+        let file = RasterFile::real(field.grid(), field.elevation(), "elevation", "m", self.seed);
+        write_whole(path, &(format.write)(&file)?)?;
+        match format.sidecar(&file) {
+            Some(sidecar) => write_whole(sidecar_path(&path.display().to_string()).as_ref(), &sidecar.text()?),
+            None => Ok(()),
+        }
+    }
+
+    fn triangles(&self) -> Result<MeshFile> {
+        match self.terrain.get::<HeightField>("save") {
+            Ok(field) => Ok(mesh_file_from_height_field(field)),
+            Err(_) => self.terrain.get("save").map(mesh_file_from_mesh),
+        }
+    }
+
+    /// Applies a stage that changes the landscape at once: a generator, an edit or a conversion.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a stage that does not work on this kind of terrain or does not act at once; what the stage reports.
+    pub fn apply<P: Params>(&mut self, params: P) -> Result<&mut Self> {
+        let stage = read(&params)?;
+        if !matches!(stage.stage().verb, Verb::Generate | Verb::Edit | Verb::Convert) {
+            let (what, supports) = (format!("`{}`", P::NAME), "`evolve`, or an output".into());
+            return Err(Error::Unsupported { what, on: "landscape at once".into(), supports });
+        }
+        let maps = FileMaps::new(Path::new(""));
+        let seed = Seed(self.seed).named(&format!("{}#{}", P::NAME, self.history.len()));
+        let context = Context { seed, maps: &maps, environment: &self.environment, ..Context::default() };
+        self.terrain = stage.apply(Some(&self.terrain), &context)?;
+        self.record(&[stage], None);
+        Ok(self)
+    }
+
+    /// Measures: the values as JSON, as the stage would write them.
+    ///
+    /// # Errors
+    /// What the stage reports.
+    pub fn measure<P: Params>(&self, params: P) -> Result<serde_json::Value> {
+        let stage = read(&params)?;
+        let mut out = MemoryOutput::default();
+        stage.tell(&self.view(), &mut out)?;
+        let bytes = out.0.into_values().next().unwrap_or_default();
+        serde_json::from_slice(&bytes).map_err(|e| Error::format("JSON", e))
+    }
+
+    /// As measures and exports see it.
+    pub fn view(&self) -> landform_core::verb::Landscape<'_, AnyTerrain> {
+        let mut view = landform_core::verb::Landscape::plain(&self.terrain);
+        (view.environment, view.history) = (&self.environment, &self.history);
+        (view.seed, view.title) = (self.seed, &self.title);
+        view
+    }
+
+    /// Prepares a run of processes in steps of `dt` for `duration`, both in s ([`kyr`](crate::prelude::kyr), [`myr`](crate::prelude::myr)).
+    pub fn evolve(&mut self, dt: f64, duration: f64) -> Evolution<'_> {
+        Evolution { land: self, dt, stop: Stop::time(duration), parts: Ok(Vec::new()) }
+    }
+
+    fn record(&mut self, parts: &[ReadStage], outcome: Option<Outcome>) {
+        let names: Vec<&str> = parts.iter().map(|p| p.stage().name).collect();
+        let sources = parts.iter().flat_map(|p| p.stage().sources);
+        let parameters: Vec<_> = parts.iter().map(|p| p.parameters().clone()).collect();
+        self.history.push(Event {
+            stage: names.join(" + "),
+            parameters: serde_json::Value::from(parameters).to_string(),
+            sources: sources.map(|s| [s.authors, s.title, s.doi].map(String::from)).collect(),
+            outcome,
+        });
+    }
+}
+
+/// A stage of the table from its parameters.
+fn read<P: Params>(params: &P) -> Result<ReadStage> {
+    let unknown = || Error::Recipe { at: None, what: format!("stage `{}` is not in the table", P::NAME), hint: None };
+    let stage = stages().find(|s| s.name == P::NAME).ok_or_else(unknown)?;
+    stage.with(params.clone())
+}
+
+/// A run of processes on a landscape, before it starts.
+#[must_use = "call `run`"]
+pub struct Evolution<'a> {
+    land: &'a mut Landscape,
+    dt: f64,
+    stop: Stop,
+    parts: Result<Vec<ReadStage>>,
+}
+
+impl Evolution<'_> {
+    /// Adds a process; in each step they act in this order.
+    pub fn with<P: Params>(mut self, params: P) -> Self {
+        self.parts = self.parts.and_then(|mut parts| {
+            parts.push(read(&params)?);
+            Ok(parts)
+        });
+        self
+    }
+
+    /// Stops earlier, once the greatest change of a step is at most `tolerance` of what uplift alone would have raised.
+    pub fn or_steady(mut self, tolerance: f64) -> Self {
+        self.stop = self.stop.or_steady(tolerance);
+        self
+    }
+
+    /// Runs to the end.
+    ///
+    /// # Errors
+    /// What a process' parameters are wrong in, or it reports while it runs; [`Error::Unsupported`] on a kind of terrain that a process does
+    /// not work on. The landscape is as before then.
+    pub fn run(self) -> Result<Outcome> {
+        let Self { land, dt, stop, parts } = self;
+        let parts = parts?;
+        let running = Running { land, dt, stop, parts: &parts };
+        let (terrain, outcome) = land.terrain.visit(running)?;
+        debug_assert!(outcome.stopped != Stopped::Cancelled, "nobody could");
+        land.terrain = terrain;
+        land.record(&parts, Some(outcome));
+        Ok(outcome)
+    }
+}
+
+struct Running<'a> {
+    land: &'a Landscape,
+    dt: f64,
+    stop: Stop,
+    parts: &'a [ReadStage],
+}
+
+impl Visit for Running<'_> {
+    type Out = Result<(AnyTerrain, Outcome)>;
+
+    fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
+        let mut model = Model::new(terrain.clone());
+        for part in self.parts {
+            part.add_to(T::KIND, &mut model)?;
+        }
+        let seed = Seed(self.land.seed).named(&format!("evolve#{}", self.land.history.len()));
+        let model = model
+            .dt(self.dt)
+            .seed(seed)
+            .maps(Arc::new(FileMaps::new(Path::new(""))))
+            .environment(self.land.environment.clone());
+        let mut run = Simulation::of(model).until(self.stop);
+        let outcome = run.run()?;
+        Ok((run.into_terrain().wrap(), outcome))
+    }
+}
