@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use landform::core::grid::{BASE_LEVEL, Domain, INTERIOR};
 use landform::core::parallel::with_threads;
@@ -440,4 +440,29 @@ fn an_edit_in_mid_run_equals_a_fresh_start_for_every_process() {
             other => panic!("{}", other.kind()),
         }
     }
+}
+
+/// All Rust files under a folder.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
+    let files = entries.flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] });
+    files.filter(|path| path.extension().is_some_and(|e| e == "rs")).collect()
+}
+
+#[test]
+fn there_is_one_match_on_representations() {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut arms = Vec::new();
+    for member in ["landform-core", "landform-process", "landform-io", "landform", "landform-cli"] {
+        let files = sources(&crates.join(member).join("src"));
+        assert!(!files.is_empty(), "{member}");
+        for file in files {
+            let text = std::fs::read_to_string(&file).unwrap();
+            let is_arm = |line: &&str| line.contains("AnyTerrain::HeightField(") || line.contains("AnyTerrain::Mesh(");
+            let visits = text.matches("=> visitor.visit(").count();
+            arms.extend((0..visits + text.lines().filter(is_arm).count()).map(|_| file.clone()));
+        }
+    }
+    assert_eq!(arms.len(), 1, "{arms:?}");
+    assert!(arms[0].ends_with("terrain/any.rs"));
 }

@@ -70,6 +70,16 @@ pub trait Domain: Clone + Send + Sync + 'static {
     /// The slot in which the neighbour holds the link back.
     fn slot_back(&self, node: usize, slot: u8) -> u8;
 
+    /// Calls `visit` with every neighbour whose receiver a node is, in order of slots.
+    #[inline]
+    fn each_donor(&self, node: usize, receiver: &[u32], mut visit: impl FnMut(usize)) {
+        for link in self.neighbours(node) {
+            if receiver[link.to] as usize == node {
+                visit(link.to);
+            }
+        }
+    }
+
     /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
     /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]);

@@ -1,9 +1,9 @@
 //! Ground of bedded rock with loose layers on it.
 
 use landform_core::grid::Grid;
-use landform_core::terrain::{Bed, HeightField, Layers, Materials, NodeSurface};
+use landform_core::terrain::{Bed, HeightField, Layers, NodeSurface};
 use landform_core::units::{Angle, Length, LengthDimension};
-use landform_core::verb::{Context, Estimate, Generator, Params, Source, Varying};
+use landform_core::verb::{Context, Estimate, Generator, Params, Resolved, Source, Varying};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -21,8 +21,9 @@ pub struct LayeredGround {
     pub surface: Varying<LengthDimension>,
     /// Beds from the top, repeated downwards: { material, thickness }. One rock without beds, if none are given.
     pub beds: Vec<BedParams>,
-    /// Elevation of the upper face of the first bed in the middle of the map; the highest ground if not given.
-    pub top: Option<Length>,
+    /// Elevation of the upper face of the first bed, before it dips about the middle of the map; the highest ground if not given. Beds
+    /// are folded where it varies in space.
+    pub top: Option<Varying<LengthDimension>>,
     /// Angle by which beds dip.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
     pub dip: Angle,
@@ -83,7 +84,8 @@ impl Params for LayeredGround {
 }
 
 impl LayeredGround {
-    fn strata(&self, terrain: &HeightField, materials: &Materials) -> Result<Layers> {
+    fn strata(&self, terrain: &HeightField, context: &Context) -> Result<Layers> {
+        let materials = &context.environment.materials;
         let grid = terrain.grid();
         if self.beds.is_empty() {
             return Ok(Layers::rock(materials, grid.len()));
@@ -96,14 +98,17 @@ impl LayeredGround {
         };
         let sequence = self.beds.iter().map(bed).collect::<Result<Vec<_>>>()?;
         let z = terrain.elevation();
-        let top = self.top.map_or_else(|| parallel::max(z.len(), |i| z[i]), Length::si);
+        let top = match &self.top {
+            Some(top) => top.resolve("top", terrain, context)?,
+            None => Resolved::Uniform(parallel::max(z.len(), |i| z[i])),
+        };
         let [lo, hi] = terrain.bounds();
         let middle = [0, 1].map(|k| 0.5 * (lo[k] + hi[k]));
         let (azimuth, fall) = (self.dip_direction.si(), math::tan(self.dip.si()));
         let towards = [math::sin(azimuth), math::cos(azimuth)];
         let datum = parallel::map(z.len(), |i| {
             let [x, y] = grid.position(i);
-            top - fall * ((x - middle[0]) * towards[0] + (y - middle[1]) * towards[1])
+            top.at(i) - fall * ((x - middle[0]) * towards[0] + (y - middle[1]) * towards[1])
         });
         Layers::bedded(materials, sequence, datum)
     }
@@ -129,7 +134,7 @@ impl Generator<HeightField> for LayeredGround {
         // Rock first: loose layers lift the surface to where it shall be.
         let rock = |i: usize| depths.iter().fold(surface.at(i), |z, (_, depth)| z - depth[i]);
         terrain = HeightField::new(terrain.grid().clone(), parallel::map(nodes, rock))?;
-        let strata = self.strata(&terrain, &context.environment.materials)?;
+        let strata = self.strata(&terrain, context)?;
         terrain.set_layers(Some(strata));
         depths.iter().try_for_each(|(material, depth)| terrain.change_depth(material, depth))?;
         Ok(terrain)

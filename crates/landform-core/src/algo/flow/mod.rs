@@ -13,8 +13,8 @@
 //! rise there: the flooding level of Priority-Flood (within the tilt of level ground, where passes differ by less).
 //!
 //! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are broken by slots and node numbers,
-//! which follow from geometry. Donors are added in the order of slots, and ways over the seams of strips ([`strips`]) are joined at the end: the
-//! same bits however the work is cut and on any number of threads.
+//! which follow from geometry. Donors are added in an order that follows from the tree alone ([`order`]), and ways over the seams of
+//! strips ([`strips`]) are joined at the end: the same bits however the work is cut and on any number of threads.
 //!
 //! # Sources
 //! Braun & Willett (2013) for receivers and order; Cordonnier, Bovy & Braun (2019), algorithms 1-5, for basins, passes and
@@ -37,7 +37,6 @@ mod tree;
 pub use flats::{fall, spread_steps, tilt_flats};
 pub use infinity::{Direction, direction};
 
-use order::Network;
 use strips::Strips;
 
 use schemars::JsonSchema;
@@ -98,8 +97,7 @@ impl Flow {
     pub fn route<D: Domain>(&mut self, domain: &D, elevation: &[f64], amount: &mut [f64]) {
         self.descend(domain, elevation);
         let cuts = strips::cut(domain.len(), self.wanted);
-        let network = Network { domain, receiver: &self.receiver, slot: &self.slot };
-        self.strips = order::order_and_accumulate(network, cuts, &mut self.marks, &mut self.order, amount);
+        self.strips = order::order_and_accumulate(&self.receiver, cuts, &mut self.marks, &mut self.order, amount);
     }
 
     /// Receivers with lakes carved through; no order.

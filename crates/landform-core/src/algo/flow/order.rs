@@ -1,143 +1,182 @@
 //! Donors before receivers, and sums down the flow, in one pass.
+//!
+//! # Method
+//! A scan over all nodes follows, from each node that waits for no donor, the chain of receivers as long as it runs through nodes that the
+//! scan has passed; so the order keeps to neighbours in memory. A donor gives when the scan stands at the highest index upstream of it:
+//! this *time* follows from the tree alone, and sums take donors in its order.
+//!
+//! Strips scan side by side. Nodes downstream of a seam are left out, few since streams join; what reaches them is noted with its time,
+//! and given at the end in order of time. So every sum is that of one scan over all, to the bit.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 use std::ops::Range;
 
 use super::strips::{Strips, split};
-use crate::grid::{Domain, NO_SLOT};
 use crate::parallel;
 
 const DONE: u8 = u8::MAX;
-/// Set on the count of a node with several donors: their sum waits until all are there, and takes them in the order of slots.
-const SEVERAL: u8 = 1 << 7;
+/// Set on the count of donors of a node downstream of a seam.
+const BEYOND: u8 = 1 << 7;
 
-/// Where water goes.
-pub(super) struct Network<'a, D> {
-    pub(super) domain: &'a D,
-    pub(super) receiver: &'a [u32],
-    pub(super) slot: &'a [u8],
+/// What a strip leaves to be given to nodes downstream of seams.
+struct Gift {
+    donor: u32,
+    /// Where the scan stood.
+    time: u32,
 }
-
-impl<D> Clone for Network<'_, D> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<D> Copy for Network<'_, D> {}
 
 /// Orders nodes by counting donors and adds `amount` down the flow on the way.
-///
-/// From each node without waiting donors the chain of receivers is followed as long as it runs through nodes that the scan
-/// has passed; so the order keeps to neighbours in memory. Strips do so side by side, and what lies downstream of a seam comes last.
-pub(super) fn order_and_accumulate<D: Domain>(
-    network: Network<D>,
+pub(super) fn order_and_accumulate(
+    receiver: &[u32],
     cuts: Vec<Range<usize>>,
     donors: &mut [u8],
     order: &mut [u32],
     amount: &mut [f64],
 ) -> Strips {
-    let leaving = count_donors(network, &cuts, donors);
+    let leaving = count_donors(receiver, &cuts, donors);
+    mark_beyond(receiver, &leaving, donors);
     let parts = split(donors, &cuts).into_iter().zip(split(order, &cuts)).zip(split(amount, &cuts));
     let parts: Vec<_> = cuts.iter().zip(parts).collect();
-    let placed = parallel::run_all(parts, |(strip, ((donors, order), amount))| {
-        let mut work = Work { network, first: strip.start, donors, order, amount, placed: 0 };
-        (0..strip.len()).for_each(|k| work.follow(k, true));
-        work.placed
+    let scanned = parallel::run_all(parts, |(strip, ((donors, order), amount))| {
+        scan(&receiver[strip.clone()], strip.start, donors, order, amount)
     });
     let mut own = Vec::with_capacity(cuts.len());
     let mut end = 0;
-    for (strip, placed) in cuts.iter().zip(placed) {
+    for (strip, (placed, _)) in cuts.iter().zip(&scanned) {
         order.copy_within(strip.start..strip.start + placed, end);
         own.push(end..end + placed);
         end += placed;
     }
-    // What was done within its strip gives to beyond the seam now.
-    let ready: Vec<u32> = leaving.iter().flatten().copied().filter(|&i| donors[i as usize] == DONE).collect();
-    let mut work = Work { network, first: 0, donors, order, amount, placed: end };
-    for i in ready {
-        let next = network.receiver[i as usize] as usize;
-        if work.give(i as usize, next) {
-            work.follow(next, false);
-        }
+    let mut rest = Rest { receiver, donors, order, amount, placed: end, later: BinaryHeap::new() };
+    // Strips come one after the other, and so do their times.
+    for gift in scanned.iter().flat_map(|(_, gifts)| gifts) {
+        rest.until(gift.time);
+        rest.give(gift.donor as usize, gift.time);
     }
-    debug_assert_eq!(work.placed, work.donors.len(), "receivers form a cycle");
+    rest.until(u32::MAX);
+    debug_assert_eq!(rest.placed, receiver.len(), "receivers form a cycle");
     Strips { nodes: cuts, own, leaving }
 }
 
 /// Counts donors; returns the nodes of each strip whose receiver lies in another.
-fn count_donors<D: Domain>(network: Network<D>, cuts: &[Range<usize>], donors: &mut [u8]) -> Vec<Vec<u32>> {
+fn count_donors(receiver: &[u32], cuts: &[Range<usize>], donors: &mut [u8]) -> Vec<Vec<u32>> {
     let parts: Vec<_> = cuts.iter().zip(split(donors, cuts)).collect();
     let leaving = parallel::run_all(parts, |(strip, donors)| {
         donors.fill(0);
         let mut leaving = Vec::new();
-        for i in strip.clone().filter(|&i| network.slot[i] != NO_SLOT) {
-            match donors.get_mut((network.receiver[i] as usize).wrapping_sub(strip.start)) {
-                Some(count) => *count += 1,
+        for (i, &to) in strip.clone().zip(&receiver[strip.clone()]) {
+            match donors.get_mut((to as usize).wrapping_sub(strip.start)) {
+                Some(count) => *count += u8::from(to as usize != i),
                 None => leaving.push(i as u32),
             }
         }
         leaving
     });
     for &i in leaving.iter().flatten() {
-        donors[network.receiver[i as usize] as usize] += 1;
+        donors[receiver[i as usize] as usize] += 1;
     }
-    let mark = |count: u8| if count > 1 { count | SEVERAL } else { count };
-    parallel::update(donors, |_, count| *count = mark(*count));
     leaving
 }
 
-/// Nodes from `first` on that are ordered in one go.
-struct Work<'a, D> {
-    network: Network<'a, D>,
-    first: usize,
-    donors: &'a mut [u8],
-    order: &'a mut [u32],
-    amount: &'a mut [f64],
-    placed: usize,
+/// Marks the nodes downstream of seams.
+fn mark_beyond(receiver: &[u32], leaving: &[Vec<u32>], donors: &mut [u8]) {
+    for &i in leaving.iter().flatten() {
+        let mut node = receiver[i as usize] as usize;
+        while donors[node] & BEYOND == 0 {
+            donors[node] |= BEYOND;
+            node = receiver[node] as usize;
+        }
+    }
 }
 
-impl<D: Domain> Work<'_, D> {
-    /// Places a node (counted from `first`) that waits for no donor, and those downstream that then wait for none. A scan stops where
-    /// it will come by itself.
-    #[inline]
-    fn follow(&mut self, from: usize, scanning: bool) {
+/// Orders a strip's own nodes; returns how many there are, and what they give to beyond.
+fn scan(
+    receiver: &[u32],
+    first: usize,
+    donors: &mut [u8],
+    order: &mut [u32],
+    amount: &mut [f64],
+) -> (usize, Vec<Gift>) {
+    let (mut placed, mut gifts) = (0, Vec::new());
+    for from in 0..receiver.len() {
         let mut at = from;
-        while self.donors[at] & !SEVERAL == 0 {
-            let node = self.first + at;
-            if self.donors[at] == SEVERAL {
-                self.amount[at] = self.sum(node);
+        while donors[at] == 0 {
+            donors[at] = DONE;
+            order[placed] = (first + at) as u32;
+            placed += 1;
+            let next = (receiver[at] as usize).wrapping_sub(first);
+            if next == at {
+                break;
             }
-            self.donors[at] = DONE;
-            self.order[self.placed] = node as u32;
-            self.placed += 1;
-            if self.network.slot[node] == NO_SLOT {
-                return;
+            if next >= donors.len() || donors[next] & BEYOND != 0 {
+                gifts.push(Gift { donor: (first + at) as u32, time: (first + from) as u32 });
+                break;
             }
-            let next = (self.network.receiver[node] as usize).wrapping_sub(self.first);
-            if next >= self.donors.len() || !self.give(at, next) || scanning && next > from {
-                return;
+            amount[next] += amount[at];
+            donors[next] -= 1;
+            if next > from {
+                break;
             }
             at = next;
         }
     }
+    (placed, gifts)
+}
 
-    /// Passes on what a node has; whether the receiver waits for no other.
-    #[inline]
-    fn give(&mut self, at: usize, next: usize) -> bool {
-        let count = self.donors[next] - 1;
-        self.donors[next] = count;
-        if count & SEVERAL == 0 {
-            self.amount[next] += self.amount[at];
+/// The nodes downstream of seams.
+struct Rest<'a> {
+    receiver: &'a [u32],
+    donors: &'a mut [u8],
+    order: &'a mut [u32],
+    amount: &'a mut [f64],
+    placed: usize,
+    /// Nodes that wait for no donor any more, but for the scan to come.
+    later: BinaryHeap<Reverse<u32>>,
+}
+
+impl Rest<'_> {
+    /// Lets the scan come to a time.
+    fn until(&mut self, time: u32) {
+        while self.later.peek().is_some_and(|next| next.0 < time) {
+            if let Some(Reverse(node)) = self.later.pop() {
+                self.place(node as usize, node);
+            }
         }
-        count & !SEVERAL == 0
     }
 
-    /// A node's own amount and those of its donors, in the order of slots.
-    #[inline]
-    fn sum(&self, node: usize) -> f64 {
-        let Network { domain, receiver, slot } = self.network;
-        let gives = |j: usize| receiver[j] as usize == node && slot[j] != NO_SLOT;
-        let donors = domain.neighbours(node).map(|l| l.to).filter(|&j| gives(j));
-        donors.fold(self.amount[node - self.first], |sum, j| sum + self.amount[j - self.first])
+    /// Gives what a node has to its receiver, and places what then waits for nothing.
+    fn give(&mut self, donor: usize, time: u32) {
+        let to = self.receiver[donor] as usize;
+        self.amount[to] += self.amount[donor];
+        self.donors[to] -= 1;
+        if self.donors[to] != BEYOND {
+            return;
+        }
+        if to as u32 <= time { self.place(to, time) } else { self.later.push(Reverse(to as u32)) }
+    }
+
+    /// Places a node and those downstream that then wait for nothing.
+    fn place(&mut self, node: usize, time: u32) {
+        let mut node = node;
+        loop {
+            self.donors[node] = DONE;
+            self.order[self.placed] = node as u32;
+            self.placed += 1;
+            let to = self.receiver[node] as usize;
+            if to == node {
+                return;
+            }
+            self.amount[to] += self.amount[node];
+            self.donors[to] -= 1;
+            if self.donors[to] != BEYOND {
+                return;
+            }
+            if to as u32 > time {
+                self.later.push(Reverse(to as u32));
+                return;
+            }
+            node = to;
+        }
     }
 }

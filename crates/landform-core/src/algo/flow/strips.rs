@@ -3,14 +3,14 @@
 //! # Method
 //! Nodes are cut into strips of neighbouring indices. Within a strip everything is found that needs nothing from beyond its seams; what
 //! lies downstream of a seam is left to the end and done in one go: few nodes, since streams join. How the cut runs changes no bit:
-//! sums take donors in the order of slots, and a value found upwards depends on the receiver's alone.
+//! sums take donors in an order that does not know of strips, and a value found upwards depends on the receiver's alone.
 //!
 //! The number of strips follows from the number of nodes, not from that of threads, so that the order of nodes is the same on any machine.
 
 use std::ops::Range;
 
 use super::Flow;
-use crate::grid::{Domain, NO_SLOT};
+use crate::grid::Domain;
 use crate::parallel;
 
 /// Nodes of a strip, at least.
@@ -57,32 +57,39 @@ impl Flow {
     /// Finds values from the outlets upwards: `value(node, its own, its receiver's new one)` becomes the node's; nodes without a
     /// receiver keep theirs. **Cost** O(n), strips side by side.
     pub fn up<T: Copy + Send + Sync>(&self, values: &mut [T], value: impl Fn(usize, T, T) -> T + Sync) {
-        let rest = self.strips.rest();
-        for &i in self.order[rest..].iter().rev() {
-            let i = i as usize;
-            if self.slot[i] != NO_SLOT {
-                values[i] = value(i, values[i], values[self.receiver[i] as usize]);
-            }
-        }
+        self.climb(&self.order[self.strips.rest()..], 0, values, (&[], &[]), &value);
         // What strips need of each other lies downstream of seams, and is found by now.
         let beyond = |nodes: &Vec<u32>| nodes.iter().map(|&i| values[self.receiver[i as usize] as usize]).collect();
         let beyond: Vec<Vec<T>> = self.strips.leaving.iter().map(beyond).collect();
         let parts = split(values, &self.strips.nodes).into_iter().enumerate().collect();
         parallel::run_all(parts, |(k, part): (usize, &mut [T])| {
-            let (strip, leaving) = (&self.strips.nodes[k], &self.strips.leaving[k]);
-            for &node in self.order[self.strips.own[k].clone()].iter().rev() {
-                let i = node as usize;
-                if self.slot[i] == NO_SLOT {
-                    continue;
-                }
-                let receiver = self.receiver[i] as usize;
-                let below = match receiver.wrapping_sub(strip.start) {
-                    r if r < part.len() => part[r],
-                    _ => leaving.binary_search(&node).map_or(part[i - strip.start], |at| beyond[k][at]),
-                };
-                part[i - strip.start] = value(i, part[i - strip.start], below);
-            }
+            let Strips { nodes, own, leaving } = &self.strips;
+            self.climb(&self.order[own[k].clone()], nodes[k].start, part, (&leaving[k], &beyond[k]), &value);
         });
+    }
+
+    /// Finds the values of nodes, the last of the order first; `part` holds those of the nodes from `first` on, `beyond` what receivers outside
+    /// of it have, by donor. One place that calls `value`, so that it becomes part of the loop.
+    fn climb<T: Copy>(
+        &self,
+        order: &[u32],
+        first: usize,
+        part: &mut [T],
+        beyond: (&[u32], &[T]),
+        value: &impl Fn(usize, T, T) -> T,
+    ) {
+        for &node in order.iter().rev() {
+            let i = node as usize;
+            let receiver = self.receiver[i] as usize;
+            if receiver == i {
+                continue;
+            }
+            let below = match part.get(receiver.wrapping_sub(first)) {
+                Some(below) => *below,
+                None => beyond.0.binary_search(&node).map_or(part[i - first], |at| beyond.1[at]),
+            };
+            part[i - first] = value(i, part[i - first], below);
+        }
     }
 
     /// Sums values from the divides downwards: each node's becomes its own and, in the order of slots, what its donors pass on:
@@ -94,27 +101,21 @@ impl Flow {
         add: impl Fn(T, T) -> T + Sync,
         passed: impl Fn(usize, T) -> T + Sync,
     ) {
-        let sum = |node: usize, own: T, of: &dyn Fn(usize) -> T| {
-            let donors = domain.neighbours(node).map(|l| l.to).filter(|&j| self.gives_to(j, node));
-            donors.fold(own, |sum, j| add(sum, passed(j, of(j))))
-        };
         let parts = split(values, &self.strips.nodes).into_iter().enumerate().collect();
         parallel::run_all(parts, |(k, part): (usize, &mut [T])| {
             let first = self.strips.nodes[k].start;
             for &node in &self.order[self.strips.own[k].clone()] {
                 let i = node as usize;
-                part[i - first] = sum(i, part[i - first], &|j| part[j - first]);
+                let mut sum = part[i - first];
+                domain.each_donor(i, &self.receiver, |j| sum = add(sum, passed(j, part[j - first])));
+                part[i - first] = sum;
             }
         });
         for &node in &self.order[self.strips.rest()..] {
             let i = node as usize;
-            values[i] = sum(i, values[i], &|j| values[j]);
+            let mut sum = values[i];
+            domain.each_donor(i, &self.receiver, |j| sum = add(sum, passed(j, values[j])));
+            values[i] = sum;
         }
-    }
-
-    /// Whether a node passes its water on to another.
-    #[inline]
-    pub(super) fn gives_to(&self, donor: usize, node: usize) -> bool {
-        self.receiver[donor] as usize == node && self.slot[donor] != NO_SLOT
     }
 }
