@@ -2,8 +2,8 @@
 //!
 //! # Method
 //! Valgrind's callgrind runs each test of `hot_paths` on one thread and counts within its `hot_…` function alone. Counts repeat to a few
-//! in a thousand for one toolchain on one kind of processor; what the C library chooses by processor is pinned to the baseline. Seconds
-//! are told by nobody: machines are noisy, counts are not.
+//! in a thousand for one toolchain on one kind of processor; what the C library chooses by processor is pinned to the baseline. Counts,
+//! unlike seconds, do not depend on how busy a machine is.
 //!
 //! Counts are kept in `benches/instructions.json`, by toolchain. One that rises by more than 3 % fails, until its line is changed:
 //! `--accept` writes what is counted now, and whoever does so says why in the changelog.
@@ -92,7 +92,7 @@ fn test_binary() -> Option<String> {
         .ok()?;
     let lines = String::from_utf8(build.stdout).ok()?;
     let messages = lines.lines().filter_map(|l| serde_json::from_str::<Value>(l).ok());
-    messages.filter_map(|m| m["executable"].as_str().map(String::from)).last()
+    messages.rev().find_map(|m| m["executable"].as_str().map(String::from))
 }
 
 fn count(binary: &str, test: &str, function: &str) -> Option<u64> {

@@ -30,11 +30,14 @@ const CORE_RANKS: &[(&str, u32)] = &[
 /// Modules of rank 1 may use each other downwards.
 const SAME_RANK_ALLOWED: u32 = 1;
 
+/// Whether a module may import another.
+type Rule = fn(&str, &str) -> bool;
+
 /// Checks the tree; prints every breach.
 pub(crate) fn check() -> bool {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates");
     let mut breaches = Vec::new();
-    let crates: [(&str, fn(&str, &str) -> bool); 4] =
+    let crates: [(&str, Rule); 4] =
         [("landform-core", core), ("landform-process", process), ("landform-io", io), ("landform", |_, _| true)];
     for (name, rule) in crates {
         let tree = Tree::read(&root.join(name).join("src"));

@@ -79,7 +79,9 @@ fn river_map(mesh: &Mesh, cells: usize) -> Vec<f64> {
     let mut map = vec![0.0; cells * cells];
     for reach in rivers(mesh, &drainage, 1e7, Width::default()) {
         for pair in reach.points.windows(2) {
-            let length = ((pair[0][0] - pair[1][0]).powi(2) + (pair[0][1] - pair[1][1]).powi(2)).sqrt();
+            let length = (landform::core::math::powi(pair[0][0] - pair[1][0], 2)
+                + landform::core::math::powi(pair[0][1] - pair[1][1], 2))
+            .sqrt();
             let at = |k: usize| {
                 let part = (0.5 * (pair[0][k] + pair[1][k]) - lo[k]) / (hi[k] - lo[k]);
                 ((part * cells as f64) as usize).min(cells - 1)

@@ -184,7 +184,7 @@ mod tests {
         let (weight, held) = (vec![0.1; 900], vec![false; 900]);
         let plate = Plate { shape, tension: 1.0, weight: &weight, held: &held };
         let total = |start: &[f64], u: &[f64]| {
-            let pull = (0..900).map(|i| (u[i] - start[i]).powi(2)).filter(|v| v.is_finite()).sum::<f64>();
+            let pull = (0..900).map(|i| crate::math::powi(u[i] - start[i], 2)).filter(|v| v.is_finite()).sum::<f64>();
             bending_energy(shape, u) + 0.05 * pull
         };
         let start = u.clone();

@@ -210,8 +210,8 @@ impl<T: Terrain> Model<T> {
 
     /// The length of the next step if it may be as long as `at_most`, s.
     pub(super) fn allowed(&self, at_most: f64) -> f64 {
-        let shortest = |dt: f64, p: &Box<dyn Running<T>>| dt.min(p.max_step(&self.terrain).unwrap_or(dt));
-        self.processes.iter().fold(at_most, shortest)
+        let wanted = self.processes.iter().filter_map(|p| p.max_step(&self.terrain));
+        wanted.fold(at_most, f64::min)
     }
 
     /// Takes one step of exactly `dt` s, whatever processes would allow.

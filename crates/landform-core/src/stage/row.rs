@@ -150,10 +150,13 @@ pub enum Run {
         own_clock: fn(&dyn Any) -> Option<OwnClock>,
     },
     /// Tells something about a terrain: path and value.
-    Measure(fn(&dyn Any, &Landscape<'_, AnyTerrain>) -> Result<(String, Json)>),
+    Measure(MeasureFn),
     /// Writes files.
     Export(fn(&dyn Any, &Landscape<'_, AnyTerrain>, &mut dyn Output) -> Result<()>),
 }
+
+/// Gives the path of a measure and its value.
+type MeasureFn = fn(&dyn Any, &Landscape<'_, AnyTerrain>) -> Result<(String, Json)>;
 
 /// A generator's act.
 pub const fn generate<P: Generator<T>, T: Held>() -> Act {

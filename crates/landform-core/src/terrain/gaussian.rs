@@ -78,7 +78,7 @@ mod tests {
             let p = onto.grid().position(i);
             let (mut sum, mut weight) = (0.0, 0.0);
             for (q, z) in mesh.positions().iter().zip(mesh.elevation()) {
-                let d2 = (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2);
+                let d2 = crate::math::powi(p[0] - q[0], 2) + crate::math::powi(p[1] - q[1], 2);
                 let w = math::exp(-0.5 * d2 / (100.0 * sigma * sigma));
                 sum += w * z;
                 weight += w;

@@ -87,7 +87,7 @@ impl Environment {
     /// What ranges cannot say.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for winds without any weight.
+    /// [`crate::Error::Parameter`] for winds without any weight.
     pub fn check(&self) -> Result<()> {
         if self.wind.is_empty() {
             return Ok(());

@@ -11,19 +11,13 @@ use serde::{Deserialize, Serialize};
 use super::{GridParams, OnGrid, generator_on_grid};
 
 /// Ground that is painted or computed: from a picture, a raster, or a formula of x, y, u, v, r and noise().
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Surface {
     /// Extent and distance between nodes.
     pub grid: GridParams,
     /// Elevation; may vary in space.
     pub elevation: Varying<LengthDimension>,
-}
-
-impl Default for Surface {
-    fn default() -> Self {
-        Self { grid: GridParams::default(), elevation: Varying::default() }
-    }
 }
 
 impl Params for Surface {

@@ -201,18 +201,19 @@ fn water_on_a_cone_spreads_evenly_and_not_along_eight_rays() {
     let n = 101;
     let domain = raster(n, n, Edges::default());
     let at = |i: usize| ((i % n) as f64 - 50.0, (i / n) as f64 - 50.0);
-    let z: Vec<f64> = (0..n * n).map(|i| -10.0 * (at(i).0.powi(2) + at(i).1.powi(2)).sqrt()).collect();
+    let z: Vec<f64> =
+        (0..n * n).map(|i| -10.0 * (crate::math::powi(at(i).0, 2) + crate::math::powi(at(i).1, 2)).sqrt()).collect();
     let (mut flow, mut single) = (Flow::new(), node_areas(&domain));
     flow.route(&domain, &z, &mut single);
     let mut shared = node_areas(&domain);
     flow.accumulate_multiple(&domain, &z, 1.1, &mut shared);
     let spread = |area: &[f64]| {
         let ring: Vec<f64> = (0..n * n)
-            .filter(|&i| ((at(i).0.powi(2) + at(i).1.powi(2)).sqrt() - 40.0).abs() < 1.0)
+            .filter(|&i| ((crate::math::powi(at(i).0, 2) + crate::math::powi(at(i).1, 2)).sqrt() - 40.0).abs() < 1.0)
             .map(|i| area[i])
             .collect();
         let mean = ring.iter().sum::<f64>() / ring.len() as f64;
-        (ring.iter().map(|a| (a - mean).powi(2)).sum::<f64>() / ring.len() as f64).sqrt() / mean
+        (ring.iter().map(|a| crate::math::powi(a - mean, 2)).sum::<f64>() / ring.len() as f64).sqrt() / mean
     };
     let (one, all) = (spread(&single), spread(&shared));
     assert!(all < 0.4 && one > 2.0 * all, "single {one}, multiple {all}");
@@ -344,8 +345,9 @@ fn how_nodes_are_cut_into_strips_changes_no_bit() {
     let rough: Vec<f64> = (0..n).map(|i| 100.0 * Seed(3).uniform(i as u64)).collect();
     let plateaus: Vec<f64> = rough.iter().map(|z| (z / 20.0).floor()).collect();
     // A lake over three seams of five strips, and a river that weaves along the seam of two.
-    let lake: Vec<f64> =
-        (0..n).map(|i| (((at(i).0 - 33.0) / 30.0).abs().max((at(i).1 - 20.0).abs() / 18.0)).powi(2)).collect();
+    let lake: Vec<f64> = (0..n)
+        .map(|i| crate::math::powi(((at(i).0 - 33.0) / 30.0).abs().max((at(i).1 - 20.0).abs() / 18.0), 2))
+        .collect();
     let weaving: Vec<f64> = (0..n)
         .map(|i| {
             let (r, c) = at(i);

@@ -24,7 +24,7 @@ fn koch(times: u32) -> Vec<[f64; 2]> {
 #[test]
 fn kochs_curve_and_a_straight_line_have_their_dimensions() {
     let curve = koch(7);
-    let smallest = 1.0 / 3.0_f64.powi(7);
+    let smallest = 1.0 / crate::math::powi(3.0_f64, 7);
     let expected = math::log(4.0) / math::log(3.0);
     let divider = dimension_by_divider(&curve, 4.0 * smallest, f64::INFINITY).unwrap();
     assert!((divider.dimension - expected).abs() < 0.02, "{}", divider.dimension);

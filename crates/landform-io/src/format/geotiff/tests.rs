@@ -9,7 +9,9 @@ fn field(rows: usize, cols: usize, georeference: Georeference) -> HeightField {
     let mut grid = Grid::new(Shape::new(rows, cols), [30.0, 25.0]).unwrap();
     grid.origin = [350_015.0, 3_800_040.0];
     grid.georeference = georeference;
-    let z = (0..grid.len()).map(|i| if i % 17 == 3 { f64::NAN } else { f64::from((i as f32 * 0.37).sin() * 900.0) });
+    let z = (0..grid.len()).map(|i| {
+        if i % 17 == 3 { f64::NAN } else { f64::from((landform_core::math::sin(i as f64 * 0.37) * 900.0) as f32) }
+    });
     HeightField::new(grid.clone(), z.collect()).unwrap()
 }
 

@@ -84,7 +84,7 @@ fn a_lake_is_filled_to_its_surface_and_no_higher() {
     // A slope to the south with a hollow 60 m deep.
     let z = (0..n * n).map(|i| {
         let (row, col) = ((i / n) as f64, (i % n) as f64);
-        let hollow = ((row - 25.0).powi(2) + (col - 20.0).powi(2)).sqrt();
+        let hollow = (landform_core::math::powi(row - 25.0, 2) + landform_core::math::powi(col - 20.0, 2)).sqrt();
         (40.0 - row) * 10.0 - 150.0 * (1.0 - hollow / 8.0).max(0.0)
     });
     let field = HeightField::new(grid, z.collect()).unwrap();
