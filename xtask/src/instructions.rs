@@ -86,7 +86,7 @@ fn toolchain() -> String {
 
 fn test_binary() -> Option<String> {
     let build = Command::new("cargo")
-        .args(["test", "-p", "landform", "--test", "hot_paths", "--no-run", "--message-format=json"])
+        .args(["test", "--workspace", "--test", "hot_paths", "--no-run", "--message-format=json"])
         .stderr(Stdio::inherit())
         .output()
         .ok()?;
