@@ -6,6 +6,7 @@ use crate::algo::isoline::{Isoline, isolines};
 use crate::feature::{Feature, FeatureKind, Features, Geometry, Property};
 use crate::terrain::Rasterize;
 use crate::units::MM_PER_YEAR;
+use crate::verb::Source;
 use crate::{Result, math};
 
 /// What to look for.
@@ -28,6 +29,22 @@ pub struct FeatureSearch {
 }
 
 impl FeatureSearch {
+    /// The papers behind what is found.
+    pub const SOURCES: &'static [Source] = &[
+        Source {
+            authors: "Strahler (1957)",
+            title: "Quantitative analysis of watershed geomorphology, Eos 38(6)",
+            doi: "10.1029/TR038i006p00913",
+        },
+        Source {
+            authors: "Moody & Troutman (2002)",
+            title: "Characterization of the spatial variability of channel morphology, Earth Surface Processes and Landforms 27",
+            doi: "10.1002/esp.403",
+        },
+    ];
+    /// Rainfall where nothing is said, m/s: 1 m/yr.
+    pub const USUAL_RAIN: f64 = 1_000.0 * MM_PER_YEAR;
+
     /// One kind, with what is usual else.
     pub fn of(kind: FeatureKind) -> Self {
         Self {
@@ -35,7 +52,7 @@ impl FeatureSearch {
             least_area: None,
             least_depth: 1.0,
             sea_level: None,
-            rainfall: 1e3 * MM_PER_YEAR,
+            rainfall: Self::USUAL_RAIN,
             width: Width::default(),
             levels: Vec::new(),
         }

@@ -3,7 +3,7 @@
 use landform_core::analysis::{FeatureSearch, Width, find_features};
 use landform_core::feature::FeatureKind;
 use landform_core::terrain::Rasterize;
-use landform_core::units::{Area, Length, MM_PER_YEAR, Rate};
+use landform_core::units::{Area, Length, Rate};
 use landform_core::verb::{Export, FeatureWord, Landscape, Output, Params, Source, relative_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
@@ -45,9 +45,6 @@ pub struct WriteFeatures {
     pub width_exponent: f64,
 }
 
-/// Rainfall where nothing is said: 1 m/yr.
-const USUAL_RAIN: f64 = 1_000.0 * MM_PER_YEAR;
-
 impl Default for WriteFeatures {
     fn default() -> Self {
         let width = Width::default();
@@ -71,18 +68,7 @@ impl Params for WriteFeatures {
     const NAME: &'static str = "write_features";
     const RENAMED: &'static [(&'static str, &'static str)] =
         &[("rivers", "!features"), ("lakes", "!features"), ("basins", "!features")];
-    const SOURCES: &'static [Source] = &[
-        Source {
-            authors: "Strahler (1957)",
-            title: "Quantitative analysis of watershed geomorphology, Eos 38(6)",
-            doi: "10.1029/TR038i006p00913",
-        },
-        Source {
-            authors: "Moody & Troutman (2002)",
-            title: "Characterization of the spatial variability of channel morphology, Earth Surface Processes and Landforms 27",
-            doi: "10.1002/esp.403",
-        },
-    ];
+    const SOURCES: &'static [Source] = FeatureSearch::SOURCES;
 
     fn outputs(&self) -> Vec<String> {
         vec![self.path.clone()]
@@ -121,7 +107,10 @@ impl<T: Rasterize> Export<T> for WriteFeatures {
                 least_area: self.least_area.map(Area::si),
                 least_depth: self.least_depth.si(),
                 sea_level: landscape.environment.sea(self.sea_level),
-                rainfall: self.rainfall.or(landscape.environment.uniform_rain()).map_or(USUAL_RAIN, Rate::si),
+                rainfall: self
+                    .rainfall
+                    .or(landscape.environment.uniform_rain())
+                    .map_or(FeatureSearch::USUAL_RAIN, Rate::si),
                 width: Width { coefficient: self.width_coefficient, exponent: self.width_exponent },
                 levels: Vec::new(),
             },

@@ -2,7 +2,7 @@
 
 use landform_core::analysis::{FeatureSearch, Width, find_features};
 use landform_core::terrain::Rasterize;
-use landform_core::units::{Area, Length, MM_PER_YEAR, Rate};
+use landform_core::units::{Area, Length, Rate};
 use landform_core::verb::{Context, Edit, FeatureWord, Params, Source};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
@@ -37,9 +37,6 @@ pub struct FindFeatures {
     pub levels: Vec<Length>,
 }
 
-/// Rainfall where nothing is said: 1 m/yr.
-const USUAL_RAIN: f64 = 1_000.0 * MM_PER_YEAR;
-
 impl Default for FindFeatures {
     fn default() -> Self {
         let width = Width::default();
@@ -58,18 +55,7 @@ impl Default for FindFeatures {
 
 impl Params for FindFeatures {
     const NAME: &'static str = "find_features";
-    const SOURCES: &'static [Source] = &[
-        Source {
-            authors: "Strahler (1957)",
-            title: "Quantitative analysis of watershed geomorphology, Eos 38(6)",
-            doi: "10.1029/TR038i006p00913",
-        },
-        Source {
-            authors: "Moody & Troutman (2002)",
-            title: "Characterization of the spatial variability of channel morphology, Earth Surface Processes and Landforms 27",
-            doi: "10.1002/esp.403",
-        },
-    ];
+    const SOURCES: &'static [Source] = FeatureSearch::SOURCES;
 
     fn check(&self) -> Result<()> {
         if self.features.is_empty() {
@@ -84,7 +70,7 @@ impl Params for FindFeatures {
 
 impl<T: Rasterize> Edit<T> for FindFeatures {
     fn edit(&self, terrain: &mut T, context: &Context) -> Result<()> {
-        let rainfall = self.rainfall.or(context.environment.uniform_rain()).map_or(USUAL_RAIN, Rate::si);
+        let rainfall = self.rainfall.or(context.environment.uniform_rain()).map_or(FeatureSearch::USUAL_RAIN, Rate::si);
         let found = find_features(
             terrain,
             &FeatureSearch {
