@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use landform::core::algo::flow::{Flow, node_areas};
 use landform::core::algo::sampling::{poisson_disk, spacing_for_count};
-use landform::core::grid::{Domain, Edges, Grid, INTERIOR, Shape};
+use landform::core::grid::{Domain, Edges, Grid, Shape, Status};
 use landform::core::parallel::with_threads;
 use landform::core::random::Seed;
 use landform::core::sim::{Every, Simulation, Stop};
@@ -175,7 +175,7 @@ fn rough_mesh(n: usize) -> Result<Mesh> {
     let domain = terrain.domain();
     terrain.change(Layer::Bedrock, |z| {
         for (i, z) in z.iter_mut().enumerate() {
-            *z = if domain.status()[i] == INTERIOR { 0.01 * Seed(8).uniform(i as u64) } else { 0.0 };
+            *z = if domain.status()[i] == Status::Interior { 0.01 * Seed(8).uniform(i as u64) } else { 0.0 };
         }
     });
     Ok(terrain)

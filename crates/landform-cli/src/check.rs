@@ -5,9 +5,10 @@ use std::process::ExitCode;
 
 use landform::core::Result;
 use landform::core::error::bytes_text;
-use landform::recipe::{Override, Plan, Recipe};
+use landform::recipe::{Cache, Override, Plan, Recipe};
 
 use crate::memory;
+use crate::part::Part;
 use crate::run::salt;
 use crate::show_error::{Failure, about};
 
@@ -21,13 +22,15 @@ pub(crate) struct Args {
     /// Sets a key: LABEL_OR_STAGE.key=value.
     #[arg(long = "set", value_name = "STAGE.KEY=VALUE")]
     set: Vec<String>,
+    #[command(flatten)]
+    part: Part,
 }
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let overrides = args.set.iter().map(|s| Override::parse(s)).collect::<Result<Vec<_>>>()?;
-    let recipe = Recipe::load(&args.recipe, &overrides).map_err(about(&args.recipe))?;
-    let cache = args.output.as_ref().map(|o| o.join(".landform/cache"));
-    let plan = recipe.plan(cache.as_deref(), &salt()).map_err(about(&args.recipe))?;
+    let recipe = args.part.of(Recipe::load(&args.recipe, &overrides)).map_err(about(&args.recipe))?;
+    let cache = args.output.as_ref().map(|o| Cache::on_disk(&o.join(".landform/cache")));
+    let plan = recipe.plan(cache.as_ref(), &salt()).map_err(about(&args.recipe))?;
     say!("{} (seed {})", recipe.title, recipe.seed);
     recipe.notes.iter().for_each(|note| say!("note: {note}"));
     print_plan(&plan);

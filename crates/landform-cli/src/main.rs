@@ -15,6 +15,7 @@ macro_rules! say {
 }
 
 mod analyze;
+mod cache;
 mod check;
 mod cite;
 mod compare;
@@ -24,6 +25,7 @@ mod ground;
 mod man;
 mod memory;
 mod new;
+mod part;
 mod progress;
 mod render;
 mod run;
@@ -73,6 +75,8 @@ enum Command {
     Render(render::Args),
     /// Turns a raster into another raster, or into a mesh.
     Convert(convert::Args),
+    /// Shows or clears the terrains that runs have kept in an output folder.
+    Cache(cache::Args),
     /// Prints what a shell needs to complete commands.
     Completions(completions::Args),
     /// Writes man pages into a folder.
@@ -93,6 +97,7 @@ fn main() -> ExitCode {
         Command::Compare(args) => compare::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Convert(args) => convert::run(&args),
+        Command::Cache(args) => cache::run(&args),
         Command::Completions(args) => completions::run(&args, Cli::command()),
         Command::Man(args) => man::run(&args, Cli::command()),
     };

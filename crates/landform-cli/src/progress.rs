@@ -20,7 +20,7 @@ pub(crate) enum Style {
     Bar,
     /// Plain lines.
     Plain,
-    /// One JSON object a line, on standard output.
+    /// One JSON object a line, on standard output: times in years, volumes in cubic metres.
     Json,
     /// Nothing.
     None,
@@ -183,7 +183,8 @@ fn as_json(state: &mut State, signal: &Signal) {
             json!({ "event": "step", "stage": state.stage, "steps": steps, "years": time / YEAR, "part": part, "residual": residual })
         }
         Signal::Outcome(o) => {
-            json!({ "event": "outcome", "stage": state.stage, "outcome": o, "imbalance": o.budget.imbalance() })
+            json!({ "event": "outcome", "stage": state.stage, "steps": o.steps, "years": o.time / YEAR,
+                "stopped": o.stopped, "residual": o.residual, "budget": o.budget, "imbalance": o.budget.imbalance() })
         }
         Signal::Note(text) => json!({ "event": "note", "text": text }),
     };

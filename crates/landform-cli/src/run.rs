@@ -10,9 +10,11 @@ use landform::core::parallel::with_threads;
 use landform::core::verb::CancelToken;
 use landform::core::{Error, Result};
 use landform::io::files::Folder;
-use landform::recipe::{Options, Override, Ran, Recipe, Signal};
+use landform::recipe::{Cache, Options, Override, Ran, Recipe, Signal};
 
+use crate::cache::Size;
 use crate::memory;
+use crate::part::Part;
 use crate::progress::{Reporter, Style};
 use crate::show_error::{Failure, about};
 
@@ -29,6 +31,8 @@ pub(crate) struct Args {
     /// Sets a key: LABEL_OR_STAGE.key=value. May be repeated.
     #[arg(long = "set", value_name = "STAGE.KEY=VALUE")]
     set: Vec<String>,
+    #[command(flatten)]
+    part: Part,
     /// Number of threads; all cores if not given. Results do not depend on it.
     #[arg(long, default_value_t = 0)]
     threads: usize,
@@ -41,9 +45,15 @@ pub(crate) struct Args {
     /// Runs every stage anew and keeps none.
     #[arg(long)]
     no_cache: bool,
+    /// Terrains of earlier stages take at most so much of the disk; the least recently used go first.
+    #[arg(long, value_name = "SIZE", default_value = "4 GiB")]
+    cache_limit: Size,
     /// How progress is shown.
     #[arg(long, value_enum, default_value_t = Style::Auto)]
     progress: Style,
+    /// Lets stages write outside of the output folder: by `..`, absolute paths or links.
+    #[arg(long)]
+    allow_outside: bool,
     /// Says nothing but errors.
     #[arg(short, long)]
     quiet: bool,
@@ -63,15 +73,16 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     if let Some(seed) = args.seed {
         overrides.push(Override::parse(&format!("seed={seed}"))?);
     }
-    let recipe = Recipe::load(&args.recipe, &overrides).map_err(about(&args.recipe))?;
+    let mut recipe = args.part.of(Recipe::load(&args.recipe, &overrides)).map_err(about(&args.recipe))?;
+    recipe.allow_outside = args.allow_outside;
     let state = args.output.join(".landform");
-    let cache = (!args.no_cache).then(|| state.join("cache"));
+    let cache = (!args.no_cache).then(|| Cache::on_disk(&state.join("cache")).with_limit(args.cache_limit.bytes()));
     let salt = salt();
-    let plan = recipe.plan(cache.as_deref(), &salt).map_err(about(&args.recipe))?;
+    let plan = recipe.plan(cache.as_ref(), &salt).map_err(about(&args.recipe))?;
     if let Some(available) = memory::available().filter(|a| plan.bytes > *a && !args.force) {
         return Err(Error::Memory { what: "this recipe".into(), needed: plan.bytes, available }.into());
     }
-    let mut folder = Folder::create(&args.output)?;
+    let mut folder = Folder::create(&args.output)?.may_leave(args.allow_outside);
     let cancel = CancelToken::default();
     let token = cancel.clone();
     let stepping = Arc::new(AtomicBool::new(false));
@@ -88,7 +99,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let style = if args.quiet { Style::None } else { args.progress };
     let reporter = Reporter::new(style);
     let options = Options {
-        cache,
+        cache: cache.as_ref(),
         checkpoint: Some(state.join("checkpoint.lfc")),
         resume: args.resume,
         salt,

@@ -22,21 +22,28 @@ pub(crate) fn about(recipe: &Path) -> impl Fn(Error) -> Failure {
 }
 
 pub(crate) fn show(failure: &Failure) {
-    let place = match (&failure.error, &failure.recipe) {
+    match &failure.error {
+        Error::Several(errors) => errors.iter().for_each(|error| show_one(error, failure.recipe.as_deref())),
+        error => show_one(error, failure.recipe.as_deref()),
+    }
+}
+
+fn show_one(error: &Error, recipe: Option<&Path>) {
+    let place = match (error, recipe) {
         (Error::Recipe { at: Some((line, column)), .. }, Some(path)) => {
             format!(" at {}:{line}:{column}", path.display())
         }
         (Error::Recipe { at: None, .. }, Some(path)) => format!(" in {}", path.display()),
         _ => String::new(),
     };
-    eprintln!("error: {}", failure.error);
-    if let (Error::Recipe { at: Some((line, column)), .. }, Some(path)) = (&failure.error, &failure.recipe) {
+    eprintln!("error: {error}");
+    if let (Error::Recipe { at: Some((line, column)), .. }, Some(path)) = (error, recipe) {
         eprintln!("  -->{place}");
         show_line(path, *line, *column);
     } else if !place.is_empty() {
         eprintln!("  -->{place}");
     }
-    if let Some(hint) = failure.error.hint() {
+    if let Some(hint) = error.hint() {
         eprintln!("hint: {hint}");
     }
 }

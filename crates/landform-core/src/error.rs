@@ -138,6 +138,9 @@ pub enum Error {
         /// What to do about it.
         hint: Option<String>,
     },
+    /// Several things are wrong.
+    #[error("{}", all_of(.0))]
+    Several(Vec<Error>),
     /// A stage of a recipe failed.
     #[error("stage {index} (`{name}`): {source}")]
     Stage {
@@ -157,6 +160,17 @@ impl Error {
     /// A wrong parameter.
     pub fn parameter(name: &str, value: impl ToString, expected: &str) -> Self {
         Self::Parameter { name: name.into(), value: value.to_string(), expected: expected.into() }
+    }
+
+    /// Several errors as one; the only one as itself.
+    pub fn several(mut errors: Vec<Self>) -> Self {
+        match (errors.len(), errors.pop()) {
+            (1, Some(only)) => only,
+            (_, last) => {
+                errors.extend(last);
+                Self::Several(errors)
+            }
+        }
     }
 
     /// A broken file.
@@ -196,6 +210,15 @@ impl Error {
             _ => None,
         }
     }
+}
+
+/// Errors, one a line.
+fn all_of(errors: &[Error]) -> String {
+    let line = |error: &Error| match error {
+        Error::Recipe { at: Some((line, _)), .. } => format!("line {line}: {error}"),
+        error => error.to_string(),
+    };
+    errors.iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
 /// The candidate nearest to `word` in edits, if one is near enough to be meant.

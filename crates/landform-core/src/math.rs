@@ -3,6 +3,15 @@
 //! The standard library's `sin`, `exp`, `powf` call the platform's mathematics; these call the `libm` crate. `sqrt` is
 //! exact everywhere and stays as it is. The only place where the platform's could be called by mistake is caught by
 //! `clippy.toml`.
+//!
+//! ```
+//! use landform_core::math;
+//!
+//! let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 5.0)];
+//! let (slope, intercept, r2) = math::line_fit(points.into_iter());
+//! assert_eq!((slope, intercept, r2), (2.0, 1.0, 1.0));
+//! assert_eq!(math::lerp(10.0, 30.0, 0.25), 15.0);
+//! ```
 
 pub use libm::{acos, asin, atan, atan2, cbrt, ceil, cos, exp, floor, hypot, log, log2, log10, sin, tan};
 

@@ -6,6 +6,14 @@
 use crate::math;
 
 /// The seed of a stage, a step or a particle.
+///
+/// ```
+/// use landform_core::random::Seed;
+///
+/// let step = |seed: u64| Seed(seed).named("uplift").with(3);
+/// assert_eq!(step(7).uniform(42), step(7).uniform(42));
+/// assert_ne!(step(7).bits(42), step(8).bits(42));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
 pub struct Seed(pub u64);
 

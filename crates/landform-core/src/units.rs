@@ -5,6 +5,16 @@
 //!
 //! A bare number is accepted only where nobody could mean anything but the stated unit (metres for lengths, the customary
 //! unit for erodibility, none for plain ratios). A bare `dt = 250` is refused: seconds, years or thousands of years?
+//!
+//! ```
+//! use landform_core::units::{Duration, Length, Rate, YEAR};
+//!
+//! let uplift = Rate::parse("0.4 mm/yr")?;
+//! assert!((uplift.si() * 1_000.0 * YEAR - 0.4).abs() < 1e-12);
+//! assert_eq!(Length::parse("2.5 km")?.si(), 2_500.0);
+//! assert!(Duration::parse("250").is_err());
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -83,6 +93,15 @@ dimension!(/// Discharge of a spring or a river, in m³/s.
     DischargeDimension, Discharge, "discharge", 3, -1, "m3/s", 1.0, true, "2 m3/s");
 dimension!(/// A plain number.
     RatioDimension, Ratio, "number", 0, 0, "1", 1.0, true, "0.5");
+
+/// The values of a dimension that people use, in its customary unit, over decades; none where that follows from the parameter.
+pub(crate) fn soft_range(dimension: &str) -> Option<[f64; 2]> {
+    match dimension {
+        "erodibility" => Some([1e-8, 1e-3]),
+        "diffusivity" => Some([1e-4, 10.0]),
+        _ => None,
+    }
+}
 
 /// A number with a unit: reads `"0.02 m2/yr"`, refuses the wrong dimension, writes back in the customary unit.
 #[derive(Clone, Copy, PartialEq)]

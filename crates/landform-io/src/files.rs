@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use landform_core::verb::{Output, relative_path};
+use landform_core::verb::{Output, file_path, relative_path};
 use landform_core::{Error, Result};
 
 /// Writes a whole file: aside first, flushed to disk, then renamed into place.
@@ -39,6 +39,7 @@ pub fn read_whole(path: &Path) -> Result<Vec<u8>> {
 pub struct Folder {
     root: PathBuf,
     written: Vec<PathBuf>,
+    may_leave: bool,
 }
 
 impl Folder {
@@ -52,7 +53,23 @@ impl Folder {
         fs::write(&probe, b"")
             .and_then(|()| fs::remove_file(&probe))
             .map_err(|e| Error::io("write in folder", root, e))?;
-        Ok(Self { root: root.into(), written: Vec::new() })
+        Ok(Self { root: root.into(), written: Vec::new(), may_leave: false })
+    }
+
+    /// Whether paths may lead out of the folder: by `..`, absolute, or over a link.
+    #[must_use]
+    pub fn may_leave(self, may_leave: bool) -> Self {
+        Self { may_leave, ..self }
+    }
+
+    /// Refuses a folder that a link leads out to.
+    fn check_inside(&self, path: &str, parent: &Path) -> Result<()> {
+        let real = |path: &Path| fs::canonicalize(path).map_err(|e| Error::io("find", path, e));
+        if real(parent)?.starts_with(real(&self.root)?) {
+            return Ok(());
+        }
+        let value = format!("\"{path}\", which a link leads out of the output folder");
+        Err(Error::parameter("path", value, "a file in the output folder, or leave to write outside"))
     }
 
     /// Files written so far, in order.
@@ -63,12 +80,18 @@ impl Folder {
 
 impl Output for Folder {
     fn put(&mut self, path: &str, bytes: &[u8]) -> Result<()> {
-        let path = self.root.join(relative_path(path)?);
-        if let Some(parent) = path.parent() {
+        let name = if self.may_leave { file_path(path)? } else { relative_path(path)? };
+        let target = self.root.join(name);
+        if let Some(parent) = target.parent() {
+            if !self.may_leave {
+                // The part that is there already: nothing is made beyond a link either.
+                let there = parent.ancestors().find(|p| p.exists()).unwrap_or(&self.root);
+                self.check_inside(path, there)?;
+            }
             fs::create_dir_all(parent).map_err(|e| Error::io("create folder", parent, e))?;
         }
-        write_whole(&path, bytes)?;
-        self.written.push(path);
+        write_whole(&target, bytes)?;
+        self.written.push(target);
         Ok(())
     }
 }

@@ -4,8 +4,8 @@
 //! `cargo run --release --example corrosion` writes corrosion.png into the folder it is run in.
 
 use landform::core::Result;
-use landform::core::agents::{Connectivity, Falloff, Group, Order, RasterSites, Search, Sites, avalanche};
-use landform::core::grid::{Edge, Edges, Grid, Shape};
+use landform::core::agents::{Connectivity, Falloff, Group, Order, RasterSites, Search, avalanche};
+use landform::core::grid::{Edge, Edges, Grid, Neighbours, Shape};
 use landform::core::random::Seed;
 use landform::core::terrain::HeightField;
 use landform::io::format::encode_png;
@@ -34,7 +34,7 @@ pub(crate) fn corrosion(n: usize, rounds: usize, seed: u64) -> Result<HeightFiel
         let mut weakened: Vec<(usize, f64)> = Vec::new();
         material.visit(Order::Shuffled(Seed(seed).with(round as u64)), |material, site| {
             // Sites that stand above their neighbours are exposed on more sides.
-            let open = sites.neighbours(site).filter(|near| depth[near.site] > depth[site]).count();
+            let open = sites.neighbours(site).filter(|near| depth[near.to] > depth[site]).count();
             let strength = material.at(site).copied().unwrap_or(0.0);
             if strength * (1.0 - open as f64 / 10.0) < FORCE {
                 depth[site] += 1.0;

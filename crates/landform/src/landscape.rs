@@ -111,6 +111,18 @@ impl Landscape {
 
     /// Applies a stage that changes the landscape at once: a generator, an edit or a conversion.
     ///
+    /// ```
+    /// use landform::prelude::*;
+    /// use landform::process::generate::{Flat, GridParams};
+    ///
+    /// let plain = Flat { grid: GridParams::of([400.0, 400.0], 100.0), ..Flat::default() };
+    /// let mut land = Landscape::from(plain.generate(&Context::default())?);
+    /// land.apply(Add { elevation: metres(3.0).into() })?;
+    /// assert!(land.terrain.elevation().iter().all(|&z| z == 3.0));
+    /// assert_eq!(land.history.len(), 1);
+    /// # Ok::<(), landform::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Unsupported`] for a stage that does not work on this kind of terrain or does not act at once; what the stage reports.
     pub fn apply<P: Params>(&mut self, params: P) -> Result<&mut Self> {

@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use landform::core::grid::{BASE_LEVEL, Domain, INTERIOR};
+use landform::core::grid::{Domain, Status};
 use landform::core::parallel::with_threads;
 use landform::core::random::Seed;
 use landform::core::sim::Model;
@@ -13,8 +13,8 @@ use landform::core::terrain::{HeightField, Held, Kind, Layer, Mesh, NodeSurface,
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
 use landform::recipe::{
-    AnyTerrain, Options, Over, Override, Ran, Recipe, Signal, Stage, Sweep, Verb, contact_sheet, parameters, schema,
-    stages,
+    AnyTerrain, Cache, Options, Over, Override, Ran, Recipe, Signal, Stage, Sweep, Tells, Verb, contact_sheet,
+    parameters, schema, stages,
 };
 
 fn start(kind: Kind) -> &'static str {
@@ -75,6 +75,55 @@ fn every_parameter_has_a_meaning_and_a_default_inside_its_range() {
         let clock = if stage.verb == Verb::Process { "clock = { dt = \"1 kyr\", iterations = 1 }\n" } else { "" };
         recipe(&format!("{head}[[stage]]\nuse = \"{}\"\n{given}{clock}", stage.name));
     }
+}
+
+#[test]
+fn no_parameter_bears_a_word_of_recipes() {
+    for stage in stages() {
+        for p in (stage.form.properties)() {
+            let reserved = ["use", "label", "from", "with", "clock", "watch", "process"].contains(&p.0.as_str());
+            assert!(!reserved, "`{}` of `{}` could never be given", p.0, stage.name);
+        }
+        let reserved = stage.renamed.iter().any(|r| ["use", "label", "with", "process"].contains(&r.0));
+        assert!(!reserved, "{}", stage.name);
+    }
+}
+
+#[test]
+fn several_mistakes_are_told_at_once() {
+    let text = "[[stage]]\nuse = \"flat\"\nelevatoin = 3\n[[stage]]\nuse = \"add\"\nelevation = \"3 yr\"\n\
+                [[stage]]\nuse = \"write_picture\"\npath = \"a.jpg\"\n";
+    let error = Recipe::parse(text, "t", Path::new("."), &[]).unwrap_err();
+    let landform::core::Error::Several(errors) = &error else { panic!("{error}") };
+    assert_eq!(errors.len(), 3);
+    let text = error.to_string();
+    assert!(text.contains("line 3: ") && text.contains("line 6: ") && text.contains("line 9: "), "{text}");
+}
+
+#[test]
+fn nothing_leaves_the_output_folder_unless_it_is_allowed() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let write = |path: &str, allowed: bool| {
+        let text = format!("{}[[stage]]\nuse = \"write_raster\"\npath = \"{path}\"\n", start(Kind::HeightField));
+        let mut recipe = recipe(&text);
+        recipe.allow_outside = allowed;
+        let mut output = landform::io::files::Folder::create(&out).unwrap().may_leave(allowed);
+        recipe.run(&mut output, &Options::default()).map(drop).map_err(|e| e.to_string())
+    };
+    assert!(write("../a.tif", false).unwrap_err().contains("out of the output folder"));
+    assert!(write(&folder.path().join("b.tif").display().to_string(), false).is_err());
+    assert!(write("c/../../a.tif", false).is_err());
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(folder.path(), out.join("link")).unwrap();
+        assert!(write("link/d.tif", false).unwrap_err().contains("a link leads out"));
+        write("link/d.tif", true).unwrap();
+    }
+    write("../a.tif", true).unwrap();
+    let mut there: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|f| f.unwrap().file_name()).collect();
+    there.sort();
+    assert_eq!(there, ["a.tif", "d.tif", "out"]);
 }
 
 #[test]
@@ -207,8 +256,9 @@ fn stages_branch_and_the_cache_spares_what_did_not_change() {
     let folder = tempfile::tempdir().unwrap();
     let ran = |text: &str| {
         let cached = std::sync::Mutex::new(Vec::new());
+        let cache = Cache::on_disk(folder.path());
         let options = Options {
-            cache: Some(folder.path().into()),
+            cache: Some(&cache),
             progress: &|signal| {
                 if let Signal::Stage { cached: c, .. } = signal {
                     cached.lock().unwrap().push(c);
@@ -274,7 +324,8 @@ const WATCHED: &str = "seed = 3\n[[stage]]\nuse = \"stream_graph\"\nnodes = 500\
 #[test]
 fn a_watched_run_writes_what_it_saw_even_from_the_cache() {
     let folder = tempfile::tempdir().unwrap();
-    let options = || Options { cache: Some(folder.path().into()), ..Options::default() };
+    let cache = Cache::on_disk(folder.path());
+    let options = || Options { cache: Some(&cache), ..Options::default() };
     let (mut first, mut again) = (MemoryOutput::default(), MemoryOutput::default());
     recipe(WATCHED).run(&mut first, &options()).unwrap();
     recipe(WATCHED).run(&mut again, &options()).unwrap();
@@ -284,7 +335,7 @@ fn a_watched_run_writes_what_it_saw_even_from_the_cache() {
     let table = String::from_utf8(first.0["t.csv"].clone()).unwrap();
     let times: Vec<f64> = table.lines().skip(1).map(|l| l.split(',').nth(1).unwrap().parse().unwrap()).collect();
     assert!(times.iter().zip([2.5e5, 5e5, 7.5e5, 1e6]).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{times:?}");
-    let quiet = Options { quiet: true, ..Options::default() };
+    let quiet = Options { tells: Tells::Nothing, ..Options::default() };
     let mut nothing = MemoryOutput::default();
     recipe(WATCHED).run(&mut nothing, &quiet).unwrap();
     assert!(nothing.0.is_empty());
@@ -365,20 +416,19 @@ fn looking_at_fixed_times_is_part_of_the_recipe() {
     let text = WATCHED.replace("every = \"250 kyr\"", "every = \"70 kyr\"");
     let plain = text.lines().filter(|l| !l.starts_with("watch")).collect::<Vec<_>>().join("\n");
     let folder = tempfile::tempdir().unwrap();
-    let ran = |text: &str, quiet: bool| {
-        let options = Options { cache: Some(folder.path().into()), quiet, ..Options::default() };
+    let cache = Cache::on_disk(folder.path());
+    let ran = |text: &str, tells: Tells| {
+        let options = Options { cache: Some(&cache), tells, ..Options::default() };
         match recipe(text).run(&mut MemoryOutput::default(), &options).unwrap() {
             Ran::ToTheEnd(terrain, _) => terrain,
             Ran::Interrupted(_) => panic!("interrupted"),
         }
     };
-    let (watched, unwatched) = (ran(&text, false), ran(&plain, false));
+    let (watched, unwatched) = (ran(&text, Tells::All), ran(&plain, Tells::All));
     assert!(watched != unwatched, "steps are shortened to the looks, and the cache knows it");
     assert!(*unwatched == run(&plain));
-    for entry in std::fs::read_dir(folder.path()).unwrap().flatten() {
-        std::fs::remove_file(entry.path()).unwrap();
-    }
-    assert!(ran(&text, true) == watched, "a quiet run takes the same steps");
+    assert!(cache.clear().unwrap() > 0);
+    assert!(ran(&text, Tells::Nothing) == watched, "a quiet run takes the same steps");
 }
 
 #[test]
@@ -408,8 +458,8 @@ fn an_edit_in_mid_run_equals_a_fresh_start_for_every_process() {
             terrain.change(Layer::Bedrock, |z| (n / 3..n / 3 + n / 20).for_each(|i| z[i] += 40.0));
             terrain.change(Layer::Surface("sediment"), |z| (n / 2..n / 2 + n / 20).for_each(|i| z[i] -= 15.0));
             let mut status = terrain.domain().status().to_vec();
-            if let Some(first) = status.iter().position(|&s| s == BASE_LEVEL) {
-                status[first] = INTERIOR;
+            if let Some(first) = status.iter().position(|&s| s == Status::BaseLevel) {
+                status[first] = Status::Interior;
             }
             terrain.set_status(Some(status));
         };

@@ -124,7 +124,6 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
             "expected a name that ends with one of .tif",
             "",
         ),
-        (after_head("[[stage]]\nuse = \"write_raster\"\npath = \"../a.tif\""), 5, "`path` is \"../a.tif\"", ""),
         (after_head("[[stage]]\nuse = \"write_picture\"\npath = \"a.jpg\""), 5, "ends with .png", ""),
         (after_head("[[stage]]\nuse = \"write_picture\"\nview = \"top\""), 5, "there is no \"top\"", ""),
         (after_head("[[stage]]\nuse = \"drainage\"\nfrom = \"x\""), 5, "has the label `x`", ""),

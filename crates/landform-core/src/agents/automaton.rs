@@ -16,6 +16,18 @@ pub struct Neighbourhood<C> {
 
 /// A cellular automaton on a raster, double-buffered: every cell sees its neighbours as they were. Rows run in parallel; the outcome does
 /// not depend on threads.
+///
+/// ```
+/// use landform_core::agents::Automaton;
+/// use landform_core::grid::Shape;
+///
+/// let mut cells = vec![false; 25];
+/// cells[12] = true;
+/// let mut fire = Automaton::new(Shape::new(5, 5), cells, Some(false))?;
+/// fire.step(|n| n.cell || n.around.contains(&true));
+/// assert_eq!(fire.cells().iter().filter(|burns| **burns).count(), 9);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Automaton<C> {
     shape: Shape,

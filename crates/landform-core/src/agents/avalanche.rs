@@ -1,6 +1,7 @@
 //! One event that makes like events around it more likely: the primitive of the whole paradigm.
 
-use super::{Near, RasterSites, Search, Sites};
+use super::{RasterSites, Search, Sites};
+use crate::grid::Link;
 
 /// How an avalanche's effect falls off with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +34,7 @@ pub fn avalanche<D: Sites>(
     origin: usize,
     radius: f64,
     falloff: Falloff,
-    through: impl FnMut(usize, Near) -> bool,
+    through: impl FnMut(usize, Link) -> bool,
     mut change: impl FnMut(usize, f64),
 ) {
     search.within(sites, origin, radius, through, |site, distance| {

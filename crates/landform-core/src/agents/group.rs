@@ -23,6 +23,19 @@ struct Agent<S> {
 
 /// Agents of one kind: at most one a site, each with a state, all sharing globals. **Memory** 4 bytes a site and the agents.
 /// Joining, leaving and looking cost O(1).
+///
+/// An agent that is born in a visit does not act in it:
+///
+/// ```
+/// use landform_core::agents::{Group, Order};
+///
+/// let mut plants: Group<()> = Group::new(8);
+/// plants.join(0, ());
+/// plants.visit(Order::Sites, |plants, site| {
+///     plants.join(site + 1, ());
+/// });
+/// assert_eq!(plants.sites(), [0, 1]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Group<S, G = ()> {
     /// What all agents of the group share.

@@ -23,4 +23,4 @@ pub use avalanche::{Falloff, Stencil, avalanche, cascade};
 pub use group::{Group, Order};
 pub use sand::Sand;
 pub use search::Search;
-pub use sites::{Connectivity, MeshSites, Near, RasterSites, Sites, VoxelSites, Voxels};
+pub use sites::{Connectivity, MeshSites, RasterSites, Sites, VoxelSites, Voxels};

@@ -10,6 +10,16 @@ use crate::math;
 /// or a field whose sides sand does not slip over.
 ///
 /// **Cost** of putting or taking: O(1) for sand at rest, and the length of the avalanche else; never the size of the field.
+///
+/// ```
+/// use landform_core::agents::Sand;
+/// use landform_core::grid::Shape;
+///
+/// let mut pile = Sand::new(Shape::new(9, 9), true, vec![0; 81], [2, 2, 3], 1);
+/// pile.put(40, 50);
+/// assert_eq!(pile.total(), 50);
+/// assert!(pile.surface()[36..45].windows(2).all(|w| (w[0] - w[1]).abs() <= 2));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sand {
     shape: Shape,

@@ -1,6 +1,7 @@
 //! Looking around in the graph.
 
-use super::{Near, Sites};
+use super::Sites;
+use crate::grid::Link;
 
 /// Searches that share scratch memory: after the first, none allocates. **Memory** 4 bytes a site.
 #[derive(Clone, Debug, Default)]
@@ -34,7 +35,7 @@ impl Search {
         sites: &D,
         origin: usize,
         radius: f64,
-        mut through: impl FnMut(usize, Near) -> bool,
+        mut through: impl FnMut(usize, Link) -> bool,
         mut visit: impl FnMut(usize, f64) -> bool,
     ) {
         self.begin(sites.len());
@@ -47,16 +48,16 @@ impl Search {
         while let Some(&site) = self.queue.get(next) {
             next += 1;
             for near in sites.neighbours(site as usize) {
-                if self.seen[near.site] == self.call || !through(site as usize, near) {
+                if self.seen[near.to] == self.call || !through(site as usize, near) {
                     continue;
                 }
-                let distance = sites.distance(origin, near.site);
+                let distance = sites.distance(origin, near.to);
                 if distance > radius {
                     continue;
                 }
-                self.seen[near.site] = self.call;
-                self.queue.push(near.site as u32);
-                if !visit(near.site, distance) {
+                self.seen[near.to] = self.call;
+                self.queue.push(near.to as u32);
+                if !visit(near.to, distance) {
                     return;
                 }
             }
@@ -95,7 +96,7 @@ impl Search {
 mod tests {
     use super::super::{Connectivity, RasterSites};
     use super::*;
-    use crate::grid::{Edge, Edges, Grid, Shape};
+    use crate::grid::{Edge, Edges, Grid, Neighbours, Shape};
 
     fn raster(edge: Edge) -> RasterSites {
         let mut grid = Grid::new(Shape::new(21, 20), [1.0, 1.0]).unwrap();
@@ -128,7 +129,7 @@ mod tests {
             &sites,
             10 * 20 + 10,
             4.0,
-            |from, to| height(to.site) > height(from),
+            |from, to| height(to.to) > height(from),
             |i, _| {
                 assert!(height(i) >= 10);
                 sum += 1;

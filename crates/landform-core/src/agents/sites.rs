@@ -1,31 +1,11 @@
 //! The graph that agents live on.
 
-use crate::grid::{Domain, Edge, Edges, Graph, Grid, Lattice, Shape, Side};
+use crate::grid::{Edge, Edges, Graph, Grid, Lattice, Link, Neighbours, Shape, Side};
 use crate::terrain::Mesh;
 use crate::{Error, Result};
 
-/// A neighbouring site.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
-    /// The site.
-    pub site: usize,
-    /// How far, m.
-    pub distance: f64,
-}
-
 /// A graph of sites with places in space. x runs east, y north, z up; metres.
-pub trait Sites: Sync {
-    /// Number of sites.
-    fn len(&self) -> usize;
-
-    /// Whether there are none.
-    fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// Neighbours of a site, in a fixed order.
-    fn neighbours(&self, site: usize) -> impl Iterator<Item = Near>;
-
+pub trait Sites: Neighbours {
     /// The shortest vector from one site to another, around periodic sides where that is nearer, m.
     fn offset(&self, from: usize, to: usize) -> [f64; 3];
 
@@ -120,13 +100,13 @@ fn within(at: i64, n: usize, low: Edge, high: Edge) -> Option<usize> {
     None
 }
 
-impl Sites for RasterSites {
+impl Neighbours for RasterSites {
     fn len(&self) -> usize {
         self.shape.len()
     }
 
     #[inline]
-    fn neighbours(&self, site: usize) -> impl Iterator<Item = Near> {
+    fn neighbours(&self, site: usize) -> impl Iterator<Item = Link> {
         let cell = self.shape.cell(site);
         let (wide, tall) = (self.edges.wraps_cols(), self.edges.wraps_rows());
         let diagonals = match self.connectivity {
@@ -136,7 +116,7 @@ impl Sites for RasterSites {
         };
         let step = if diagonals { 1 } else { 2 };
         let [dx, dy] = self.spacing;
-        AROUND.iter().step_by(step).filter_map(move |&(c, r)| {
+        AROUND.iter().enumerate().step_by(step).filter_map(move |(slot, &(c, r))| {
             let beside = |at: usize, by: i64, n: usize, wraps: bool| {
                 let to = at as i64 + by;
                 match (0..n as i64).contains(&to) {
@@ -150,10 +130,13 @@ impl Sites for RasterSites {
                 (0, _) => dy,
                 _ => (dx * dx + dy * dy).sqrt(),
             };
-            Some(Near { site: self.shape.index(row, col), distance }).filter(|n| n.site != site)
+            let to = self.shape.index(row, col);
+            (to != site).then_some(Link { to, distance, slot: slot as u8 })
         })
     }
+}
 
+impl Sites for RasterSites {
     fn offset(&self, from: usize, to: usize) -> [f64; 3] {
         let (a, b) = (self.shape.cell(from), self.shape.cell(to));
         let shortest = |d: i64, n: usize, wraps: bool| {
@@ -191,15 +174,17 @@ impl<'a> MeshSites<'a> {
     }
 }
 
-impl Sites for MeshSites<'_> {
+impl Neighbours for MeshSites<'_> {
     fn len(&self) -> usize {
         self.positions.len()
     }
 
-    fn neighbours(&self, site: usize) -> impl Iterator<Item = Near> {
-        self.graph.neighbours(site).map(|l| Near { site: l.to, distance: l.distance })
+    fn neighbours(&self, site: usize) -> impl Iterator<Item = Link> {
+        self.graph.neighbours(site)
     }
+}
 
+impl Sites for MeshSites<'_> {
     fn offset(&self, from: usize, to: usize) -> [f64; 3] {
         let (a, b) = (self.positions[from], self.positions[to]);
         [b[0] - a[0], b[1] - a[1], 0.0]
@@ -213,11 +198,8 @@ impl Sites for MeshSites<'_> {
         };
         // On a Delaunay graph stepping to the nearest neighbour ends at the nearest site.
         let (mut at, mut best) = (site, away(site));
-        while let Some((next, d)) = self
-            .neighbours(at)
-            .map(|n| (n.site, away(n.site)))
-            .filter(|n| n.1 < best)
-            .min_by(|a, b| a.1.total_cmp(&b.1))
+        while let Some((next, d)) =
+            self.neighbours(at).map(|n| (n.to, away(n.to))).filter(|n| n.1 < best).min_by(|a, b| a.1.total_cmp(&b.1))
         {
             (at, best) = (next, d);
         }
@@ -251,12 +233,12 @@ pub struct VoxelSites {
     pub voxels: Voxels,
 }
 
-impl Sites for VoxelSites {
+impl Neighbours for VoxelSites {
     fn len(&self) -> usize {
         self.lattice.len()
     }
 
-    fn neighbours(&self, site: usize) -> impl Iterator<Item = Near> {
+    fn neighbours(&self, site: usize) -> impl Iterator<Item = Link> {
         let place = self.lattice.place(site);
         let most = match self.voxels {
             Voxels::Six => 1,
@@ -270,10 +252,12 @@ impl Sites for VoxelSites {
                 (1..=most).contains(&axes).then(|| self.lattice.moved(place, by)).flatten().filter(|&to| to != site)?;
             let distance =
                 by.iter().zip(self.lattice.spacing).map(|(&b, h)| b as f64 * h * b as f64 * h).sum::<f64>().sqrt();
-            Some(Near { site: to, distance })
+            Some(Link { to, distance, slot: k as u8 })
         })
     }
+}
 
+impl Sites for VoxelSites {
     fn offset(&self, from: usize, to: usize) -> [f64; 3] {
         self.lattice.offset(from, to)
     }
@@ -302,9 +286,9 @@ mod tests {
     fn symmetric(sites: &impl Sites) {
         for i in 0..sites.len() {
             for n in sites.neighbours(i) {
-                let back = sites.neighbours(n.site).find(|b| b.site == i).expect("a neighbour's neighbour");
+                let back = sites.neighbours(n.to).find(|b| b.to == i).expect("a neighbour's neighbour");
                 assert!(
-                    (back.distance - n.distance).abs() < 1e-12 && (sites.distance(i, n.site) - n.distance).abs() < 1e-9
+                    (back.distance - n.distance).abs() < 1e-12 && (sites.distance(i, n.to) - n.distance).abs() < 1e-9
                 );
             }
         }

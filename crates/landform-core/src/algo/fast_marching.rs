@@ -14,6 +14,19 @@
 //!
 //! # Checked by
 //! `tests`: |∇T| F = 1, distances against Euclid's, order of convergence, Dijkstra's as a custom update.
+//!
+//! # Example
+//! Where a front is twice as fast, it takes half the time:
+//!
+//! ```
+//! use landform_core::algo::fast_marching::{Order, arrival};
+//! use landform_core::grid::Lattice;
+//!
+//! let line = Lattice::new([5, 1, 1], [1.0, 1.0, 1.0])?;
+//! let time = arrival(&line, &[0], &[1.0, 1.0, 2.0, 2.0, 2.0], Order::First);
+//! assert_eq!(time, [0.0, 1.0, 1.5, 2.0, 2.5]);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

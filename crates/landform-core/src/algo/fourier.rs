@@ -7,6 +7,18 @@
 //!
 //! # Sources
 //! Cooley & Tukey (1965); the seed's Definition 6 (Eq. 2.4, 2.5): forward without a factor, inverse with 1/N.
+//!
+//! # Example
+//! Level ground has a mean and no waves:
+//!
+//! ```
+//! use landform_core::algo::fourier::forward;
+//! use landform_core::grid::Shape;
+//!
+//! let waves = forward(Shape::new(4, 4), vec![2.5; 16]);
+//! assert!((waves.values[0].re - 16.0 * 2.5).abs() < 1e-9);
+//! assert!(waves.values[1..].iter().all(|w| w.norm_sqr() < 1e-18));
+//! ```
 
 use realfft::RealFftPlanner;
 pub use realfft::num_complex::Complex;

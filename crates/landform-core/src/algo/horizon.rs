@@ -3,6 +3,20 @@
 //! # Method
 //! Each node looks along a line of steps of one cell, elevations between nodes taken as linear, until nothing on the map can hide it.
 //! **Cost** O(n · relief / (cell · tan altitude)) for shadows, O(n · side) for a view.
+//!
+//! # Example
+//! A wall of 15 m throws a shadow of 15 m where the sun stands at 45 degrees:
+//!
+//! ```
+//! use landform_core::algo::horizon::shadow;
+//! use landform_core::grid::{Grid, Shape};
+//!
+//! let grid = Grid::new(Shape::new(3, 7), [10.0, 10.0])?;
+//! let wall = [0.0, 0.0, 15.0, 0.0, 0.0, 0.0, 0.0].repeat(3);
+//! let dark = shadow(&grid, &wall, 270_f64.to_radians(), 45_f64.to_radians());
+//! assert_eq!(dark[7..14], [false, false, false, true, false, false, false]);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 use crate::grid::Grid;
 use crate::{math, parallel};

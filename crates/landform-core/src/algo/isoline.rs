@@ -7,6 +7,21 @@
 //!
 //! # Sources
 //! Lorensen & Cline (1987) in two dimensions; Pytel's thesis, appendix B.
+//!
+//! # Example
+//! One closed line runs around a peak:
+//!
+//! ```
+//! use landform_core::algo::isoline::isolines;
+//! use landform_core::grid::{Grid, Shape};
+//!
+//! let grid = Grid::new(Shape::new(3, 3), [1.0, 1.0])?;
+//! let peak = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+//! let lines = isolines(&grid, &peak, 0.5);
+//! assert!(lines.len() == 1 && lines[0].closed);
+//! assert!((lines[0].area() - 0.5).abs() < 1e-12);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 use crate::grid::Grid;
 

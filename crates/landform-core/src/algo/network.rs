@@ -8,6 +8,24 @@
 //!
 //! # Sources
 //! Strahler (1957) for orders; Hack (1957) for main streams followed up the larger branch.
+//!
+//! # Example
+//! Five streams of first order meet in the middle and leave as one of second order:
+//!
+//! ```
+//! use landform_core::algo::flow::{Flow, node_areas};
+//! use landform_core::algo::network::reaches;
+//! use landform_core::grid::{Edge, Edges, Grid, RasterDomain, Shape};
+//!
+//! let mut grid = Grid::new(Shape::new(3, 3), [1.0, 1.0])?;
+//! grid.edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+//! let domain = RasterDomain::new(&grid, &[]);
+//! let (mut flow, mut area) = (Flow::new(), node_areas(&domain));
+//! flow.route(&domain, &[2.0, 9.0, 2.0, 9.0, 1.0, 9.0, 9.0, 0.0, 9.0], &mut area);
+//! let trunk = &reaches(&flow, &area, 1.0)[0];
+//! assert_eq!((trunk.order, trunk.nodes.as_slice()), (2, &[4, 7][..]));
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 use super::flow::Flow;
 

@@ -1,23 +1,34 @@
 //! Which nodes water leaves by, and water at the level of the sea.
+//!
+//! ```
+//! use landform_core::algo::outlets::at_or_under;
+//! use landform_core::grid::{Grid, Shape, Status};
+//! use landform_core::terrain::HeightField;
+//!
+//! let grid = Grid::new(Shape::new(2, 2), [10.0, 10.0])?;
+//! let shore = HeightField::new(grid, vec![-1.0, 0.0, 5.0, 9.0])?;
+//! assert_eq!(at_or_under(0.0, &shore), [Status::BaseLevel, Status::BaseLevel, Status::Interior, Status::Interior]);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 use super::flow::Flow;
-use crate::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED, Side};
+use crate::grid::{Domain, Neighbours, Side, Status};
 use crate::terrain::NodeSurface;
 
 /// Base level where `is_outlet`, interior elsewhere, nodata as it is.
-pub(crate) fn chosen<T: NodeSurface>(terrain: &T, is_outlet: impl Fn(usize) -> bool) -> Vec<u8> {
+pub(crate) fn chosen<T: NodeSurface>(terrain: &T, is_outlet: impl Fn(usize) -> bool) -> Vec<Status> {
     let domain = terrain.domain();
     let status = domain.status();
     let new = |i: usize| match status[i] {
-        MASKED => MASKED,
-        _ if is_outlet(i) => BASE_LEVEL,
-        _ => INTERIOR,
+        Status::Masked => Status::Masked,
+        _ if is_outlet(i) => Status::BaseLevel,
+        _ => Status::Interior,
     };
     (0..status.len()).map(new).collect()
 }
 
 /// The status that makes every node at or under a level a base level.
-pub fn at_or_under<T: NodeSurface>(level: f64, terrain: &T) -> Vec<u8> {
+pub fn at_or_under<T: NodeSurface>(level: f64, terrain: &T) -> Vec<Status> {
     chosen(terrain, |i| terrain.elevation()[i] <= level)
 }
 
@@ -30,9 +41,9 @@ pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_le
     let border = terrain.border();
     let on_border = |i: usize| {
         let p = terrain.position(i);
-        border[i] == BASE_LEVEL || (0..2).any(|k| p[k] - lo[k] <= near || hi[k] - p[k] <= near)
+        border[i] == Status::BaseLevel || (0..2).any(|k| p[k] - lo[k] <= near || hi[k] - p[k] <= near)
     };
-    let is_water = |i: usize| status[i] == BASE_LEVEL && terrain.elevation()[i] <= sea_level;
+    let is_water = |i: usize| status[i] == Status::BaseLevel && terrain.elevation()[i] <= sea_level;
     let mut open = vec![false; status.len()];
     let mut stack: Vec<usize> = (0..status.len()).filter(|&i| is_water(i) && on_border(i)).collect();
     stack.iter().for_each(|&i| open[i] = true);
@@ -51,27 +62,28 @@ pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_le
 
 /// Of the border's base levels stay the low points of the border at which water from inside leaves when all of it is open;
 /// the lowest of all, if there is none. A valley that enters from outside is no outlet.
-pub(crate) fn valleys<T: NodeSurface>(terrain: &T) -> Vec<u8> {
+pub(crate) fn valleys<T: NodeSurface>(terrain: &T) -> Vec<Status> {
     let (domain, z) = (terrain.domain(), terrain.elevation());
     let status = domain.status();
     let (mut flow, mut donors) = (Flow::new(), vec![1.0; z.len()]);
     flow.route(&*domain, z, &mut donors);
-    let is_border = |i: usize| status[i] == BASE_LEVEL;
+    let is_border = |i: usize| status[i] == Status::BaseLevel;
     let below = |i: usize, j: usize| (z[i], i) < (z[j], j);
     let is_low = |i: usize| domain.neighbours(i).all(|l| !is_border(l.to) || below(i, l.to));
     let mut outlets: Vec<usize> = (0..z.len()).filter(|&i| is_border(i) && donors[i] > 1.0 && is_low(i)).collect();
     if outlets.is_empty() {
         outlets.extend((0..z.len()).filter(|&i| is_border(i)).reduce(|a, b| if below(b, a) { b } else { a }));
     }
-    let mut new: Vec<u8> = status.iter().map(|&s| if s == BASE_LEVEL { INTERIOR } else { s }).collect();
+    let mut new: Vec<Status> =
+        status.iter().map(|&s| if s == Status::BaseLevel { Status::Interior } else { s }).collect();
     for i in outlets {
-        new[i] = BASE_LEVEL;
+        new[i] = Status::BaseLevel;
     }
     new
 }
 
 /// Base level on sides of the bounding rectangle.
-pub(crate) fn on_sides<T: NodeSurface>(sides: &[Side], terrain: &T) -> Vec<u8> {
+pub(crate) fn on_sides<T: NodeSurface>(sides: &[Side], terrain: &T) -> Vec<Status> {
     let [lo, hi] = terrain.bounds();
     let near = 1e-6 * (hi[0] - lo[0]).max(hi[1] - lo[1]);
     let on = |i: usize| {

@@ -4,6 +4,18 @@
 //! The sides between a region's cells and others are walked with the region on the left, so that outer rings run
 //! counter-clockwise seen from above and holes clockwise (as GeoJSON asks). Where two cells of the region touch at a corner
 //! only, the walk stays with the cell it came along: regions are joined by sides, not corners.
+//!
+//! # Example
+//! Cells that touch at a corner only belong to different regions:
+//!
+//! ```
+//! use landform_core::algo::outline::label_regions;
+//! use landform_core::grid::Shape;
+//!
+//! let land = [true, false, false, true];
+//! let islands = label_regions(Shape::new(2, 2), |i| land[i], |_, _| true);
+//! assert_eq!(islands, [1, 0, 0, 2]);
+//! ```
 
 use crate::grid::Shape;
 

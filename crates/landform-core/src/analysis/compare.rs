@@ -36,6 +36,20 @@ pub struct Comparison {
 
 /// Compares B with A and gives B − A (NaN where either lacks data). **Cost** O(n).
 ///
+/// ```
+/// use landform_core::analysis::compare;
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::HeightField;
+///
+/// let grid = Grid::new(Shape::new(2, 2), [10.0, 10.0])?;
+/// let before = HeightField::new(grid.clone(), vec![5.0, 6.0, 7.0, 8.0])?;
+/// let after = HeightField::new(grid, vec![5.0, 6.0, 7.0, 6.0])?;
+/// let (comparison, difference) = compare(&before, &after)?;
+/// assert_eq!(comparison.eroded, 200.0);
+/// assert_eq!(difference, [0.0, 0.0, 0.0, -2.0]);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::Shape`] if the rasters do not lie node on node, [`Error::Empty`] if no node has data in both.
 pub fn compare(a: &HeightField, b: &HeightField) -> Result<(Comparison, Vec<f64>)> {

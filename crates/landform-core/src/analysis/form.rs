@@ -12,7 +12,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::algo::flow::Flow;
-use crate::grid::{Domain, Grid, RasterDomain, Shape};
+use crate::grid::{Grid, Neighbours, RasterDomain, Shape};
 use crate::parallel;
 
 /// Hollows and heights of a raster.

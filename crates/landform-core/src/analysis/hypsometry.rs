@@ -83,6 +83,13 @@ impl HypsometricClass {
 }
 
 /// Hypsometry of elevations that stand for equal areas; NaN is passed over. **Cost** O(n log n).
+///
+/// ```
+/// use landform_core::analysis::hypsometry;
+///
+/// let ramp: Vec<f64> = (0..=100).map(f64::from).collect();
+/// assert!((hypsometry(&ramp).integral - 0.5).abs() < 1e-12);
+/// ```
 pub fn hypsometry(elevation: &[f64]) -> Hypsometry {
     let mut z: Vec<f64> = elevation.iter().copied().filter(|z| z.is_finite()).collect();
     parallel::sort_by(&mut z, |a, b| b.total_cmp(a));

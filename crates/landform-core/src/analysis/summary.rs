@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::algo::flow::{Flow, node_areas};
-use crate::grid::{Domain, MASKED};
+use crate::grid::{Domain, Status};
 use crate::parallel;
 use crate::terrain::NodeSurface;
 
@@ -33,7 +33,7 @@ pub struct Summary {
 /// Summary of a terrain. **Cost** O(n log n).
 pub fn summary<T: NodeSurface>(terrain: &T) -> Summary {
     let (domain, z) = (terrain.domain(), terrain.elevation());
-    let valid = |i: usize| domain.status()[i] != MASKED;
+    let valid = |i: usize| domain.status()[i] != Status::Masked;
     let nodes = (0..z.len()).filter(|&i| valid(i)).count();
     let mut weights = node_areas(&*domain);
     let area = parallel::sum(z.len(), |i| weights[i]);

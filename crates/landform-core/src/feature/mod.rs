@@ -2,6 +2,19 @@
 //!
 //! A stage finds them, they stay with the landscape, later stages read them, exports write them. A feature keeps its id when it is
 //! found again elsewhere nearby ([`Features::keep_ids`]).
+//!
+//! ```
+//! use landform_core::feature::{Feature, FeatureKind, Geometry, near};
+//!
+//! let river = Feature {
+//!     id: "1".into(),
+//!     kind: FeatureKind::River,
+//!     geometry: Geometry::Line(vec![[0.0, 0.0, 5.0], [100.0, 0.0, 4.0]]),
+//!     properties: Vec::new(),
+//! };
+//! let marked = near(std::iter::once(&river), 10.0, &[[50.0, 8.0], [50.0, 12.0]]);
+//! assert_eq!(marked, [true, false]);
+//! ```
 
 mod distance;
 mod identity;

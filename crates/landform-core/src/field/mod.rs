@@ -1,4 +1,15 @@
 //! Named, typed values per node.
+//!
+//! ```
+//! use landform_core::field::{Fields, names};
+//!
+//! let mut fields = Fields::sized(3);
+//! fields.insert(&names::SLOPE, vec![0.0, 0.1, 0.2])?;
+//! assert_eq!(fields.get(&names::SLOPE, "a map")?, [0.0, 0.1, 0.2]);
+//! assert!(fields.get(&names::CHI, "a map").is_err());
+//! assert!(fields.insert(&names::CHI, vec![0.0]).is_err());
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 pub mod names;
 

@@ -1,13 +1,16 @@
 //! The graph that flow runs over: what rasters and meshes have in common.
 
-/// Flat index of a node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Node(pub u32);
+use serde::{Deserialize, Serialize};
+
+use super::{Link, Neighbours};
+use crate::parallel;
 
 /// What a node is to flow.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[repr(u8)]
 pub enum Status {
     /// Part of the landscape.
+    #[default]
     Interior,
     /// Water leaves here; the elevation is given.
     BaseLevel,
@@ -15,60 +18,51 @@ pub enum Status {
     Masked,
 }
 
-/// [`Status::Interior`] as stored.
-pub const INTERIOR: u8 = 0;
-/// [`Status::BaseLevel`] as stored.
-pub const BASE_LEVEL: u8 = 1;
-/// [`Status::Masked`] as stored.
-pub const MASKED: u8 = 2;
-
 /// The slot of a node that has no receiver.
 pub const NO_SLOT: u8 = u8::MAX;
-
-/// A neighbour: the node, how far, and in which of the centre's slots.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Link {
-    /// The neighbour.
-    pub to: usize,
-    /// Distance between the nodes, m.
-    pub distance: f64,
-    /// Index of this link among the centre's links.
-    pub slot: u8,
-}
 
 /// The little that graph algorithms need; implemented by rasters and by the mesh's graph.
 ///
 /// Links of a node sit in numbered *slots*. Slots, like node indices, follow from the geometry alone, so that no result
 /// depends on the order in which a mesh's sites were given. Masked nodes are nobody's neighbour.
-pub trait Domain: Clone + Send + Sync + 'static {
-    /// Number of nodes.
-    fn len(&self) -> usize;
-
-    /// Whether there are no nodes.
-    fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
+///
+/// Three methods must be written, and three of [`Neighbours`]; the kernels follow from them, for graphs that have no faster ones.
+pub trait Domain: Neighbours + Clone + Send + 'static {
     /// Area that a node stands for, m².
     fn area(&self, node: usize) -> f64;
 
-    /// Status of every node: [`INTERIOR`], [`BASE_LEVEL`] or [`MASKED`].
-    fn status(&self) -> &[u8];
+    /// Status of every node.
+    fn status(&self) -> &[Status];
 
-    /// Links of a node, in order of slots.
-    fn neighbours(&self, node: usize) -> impl Iterator<Item = Link>;
-
-    /// The neighbour in a slot.
-    fn neighbour(&self, node: usize, slot: u8) -> usize;
-
-    /// Distance to the neighbour in a slot, m.
-    fn distance(&self, node: usize, slot: u8) -> f64;
+    /// Sets what every node is; masked nodes stay masked.
+    fn set_status(&mut self, status: Vec<Status>);
 
     /// Width of the face shared with the neighbour in a slot over the distance to it: the conductance of a diffusive flux.
     fn conductance(&self, node: usize, slot: u8) -> f64;
 
+    /// The link in a slot.
+    fn link(&self, node: usize, slot: u8) -> Link {
+        let none = Link { to: node, distance: f64::INFINITY, slot: NO_SLOT };
+        self.neighbours(node).find(|l| l.slot == slot).unwrap_or(none)
+    }
+
+    /// The neighbour in a slot.
+    #[inline]
+    fn neighbour(&self, node: usize, slot: u8) -> usize {
+        self.link(node, slot).to
+    }
+
+    /// Distance to the neighbour in a slot, m.
+    #[inline]
+    fn distance(&self, node: usize, slot: u8) -> f64 {
+        self.link(node, slot).distance
+    }
+
     /// The slot in which the neighbour holds the link back.
-    fn slot_back(&self, node: usize, slot: u8) -> u8;
+    fn slot_back(&self, node: usize, slot: u8) -> u8 {
+        let back = |to: usize| self.neighbours(to).find(|l| l.to == node).map(|l| l.slot);
+        back(self.neighbour(node, slot)).unwrap_or(NO_SLOT)
+    }
 
     /// Calls `visit` with every neighbour whose receiver a node is, in order of slots.
     #[inline]
@@ -82,17 +76,45 @@ pub trait Domain: Clone + Send + Sync + 'static {
 
     /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
     /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]);
+    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
+        parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
+            for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
+                let node = first + k;
+                let is_interior = self.status()[node] == Status::Interior;
+                let steepest = if is_interior { steepest_link(self, elevation, node) } else { None };
+                (*r, *s) = steepest.map_or((node as u32, NO_SLOT), |l| (l.to as u32, l.slot));
+            }
+        });
+    }
 
     /// Writes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`]) form more than one arc, else 0.
-    fn saddles(&self, elevation: &[f64], saddle: &mut [u8]);
+    fn saddles(&self, elevation: &[f64], saddle: &mut [u8]) {
+        parallel::update(saddle, |node, saddle| {
+            let mut arcs = 0;
+            self.lower_arcs(elevation, node, NO_SLOT, |_| arcs += 1);
+            *saddle = u8::from(arcs > 1 || self.status()[node] == Status::BaseLevel);
+        });
+    }
 
     /// Calls `visit` with one slot of each arc of lower neighbours that does not hold `own`. An arc is a set of neighbours
     /// that are joined by links among themselves; lower means lower by (elevation, index).
-    fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, visit: impl FnMut(u8));
-
-    /// Sets what every node is; masked nodes stay masked.
-    fn set_status(&mut self, status: Vec<u8>);
+    fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, mut visit: impl FnMut(u8)) {
+        let mut left: Vec<Link> = self.neighbours(node).filter(|l| is_below(elevation, l.to, node)).collect();
+        while !left.is_empty() {
+            let first = left.remove(0);
+            let (mut arc, mut next) = (vec![first], 0);
+            while let Some(&at) = arc.get(next) {
+                let joined = |l: &Link| self.neighbours(at.to).any(|n| n.to == l.to);
+                let (found, rest): (Vec<Link>, Vec<Link>) = left.into_iter().partition(joined);
+                arc.extend(found);
+                left = rest;
+                next += 1;
+            }
+            if arc.iter().all(|l| l.slot != own) {
+                visit(first.slot);
+            }
+        }
+    }
 }
 
 /// Steepest descent at one node by its list of links: the definition that faster kernels must agree with.
@@ -101,7 +123,8 @@ pub(super) fn steepest_link(domain: &impl Domain, elevation: &[f64], node: usize
     let z = elevation[node];
     let mut best = (0.0, None);
     for link in domain.neighbours(node) {
-        let slope = (z - elevation[link.to]) / link.distance;
+        // As the kernels do: ties are decided by the last digit.
+        let slope = (z - elevation[link.to]) * (1.0 / link.distance);
         if slope > best.0 {
             best = (slope, Some(link));
         }

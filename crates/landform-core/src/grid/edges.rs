@@ -33,6 +33,19 @@ pub enum Edge {
 }
 
 /// What the four sides do. Periodic sides come in opposite pairs.
+///
+/// Water leaves over open sides alone:
+///
+/// ```
+/// use landform_core::grid::{Domain, Edge, Edges, Grid, RasterDomain, Shape, Status};
+///
+/// let mut grid = Grid::new(Shape::new(4, 4), [10.0, 10.0])?;
+/// grid.edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+/// let domain = RasterDomain::new(&grid, &[]);
+/// let outlets = domain.status().iter().filter(|&&s| s == Status::BaseLevel).count();
+/// assert_eq!(outlets, 4);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Edges {
     /// Row 0.
@@ -67,6 +80,19 @@ impl Edges {
         let at = [row == 0, col + 1 == shape.cols, row + 1 == shape.rows, col == 0];
         let edges = [self.north, self.east, self.south, self.west];
         at.iter().zip(edges).filter(|(at, edge)| **at && *edge == Edge::Open).count()
+    }
+
+    /// Closes sides at which a raster is cut (north, south, west, east); a periodic side closes with the opposite one.
+    pub(super) fn cut(self, [north, south, west, east]: [bool; 4]) -> Self {
+        let closed = |edge: Edge, here: bool, opposite: bool| {
+            if here || (opposite && edge == Edge::Periodic) { Edge::Closed } else { edge }
+        };
+        Self {
+            north: closed(self.north, north, south),
+            south: closed(self.south, south, north),
+            west: closed(self.west, west, east),
+            east: closed(self.east, east, west),
+        }
     }
 
     /// Whether columns wrap around (west meets east).

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use super::{BASE_LEVEL, Domain, INTERIOR, Link, MASKED, NO_SLOT, is_below};
+use super::{Domain, Link, NO_SLOT, Neighbours, Status, is_below};
 use crate::parallel;
 
 /// Nodes with links in compressed rows. Links of a node are sorted counter-clockwise from its first.
@@ -17,7 +17,7 @@ pub struct Graph {
     back: Vec<u8>,
     closed_fan: Vec<bool>,
     area: Vec<f64>,
-    status: Vec<u8>,
+    status: Vec<Status>,
 }
 
 /// Links of all nodes while a graph is built: neighbour, 1/distance, conductance.
@@ -54,7 +54,13 @@ impl Links {
 impl Graph {
     /// From each node's links in counter-clockwise order (`start` has one entry more than there are nodes), whether they
     /// close a full turn, areas and status. Every link must be present from both ends.
-    pub(crate) fn new(start: Vec<u32>, links: Links, closed_fan: Vec<bool>, area: Vec<f64>, status: Vec<u8>) -> Self {
+    pub(crate) fn new(
+        start: Vec<u32>,
+        links: Links,
+        closed_fan: Vec<bool>,
+        area: Vec<f64>,
+        status: Vec<Status>,
+    ) -> Self {
         let Links { to, inverse_distance, conductance } = links;
         let row = |i: usize| start[i] as usize..start[i + 1] as usize;
         let mut back = vec![NO_SLOT; to.len()];
@@ -78,26 +84,28 @@ impl Graph {
     }
 }
 
-impl Domain for Graph {
+impl Neighbours for Graph {
     fn len(&self) -> usize {
         self.area.len()
     }
 
+    fn neighbours(&self, node: usize) -> impl Iterator<Item = Link> {
+        self.row(node).filter(|&q| self.status[self.to[q] as usize] != Status::Masked).map(move |q| Link {
+            to: self.to[q] as usize,
+            distance: 1.0 / self.inverse_distance[q],
+            slot: (q - self.start[node] as usize) as u8,
+        })
+    }
+}
+
+impl Domain for Graph {
     #[inline]
     fn area(&self, node: usize) -> f64 {
         self.area[node]
     }
 
-    fn status(&self) -> &[u8] {
+    fn status(&self) -> &[Status] {
         &self.status
-    }
-
-    fn neighbours(&self, node: usize) -> impl Iterator<Item = Link> {
-        self.row(node).filter(|&q| self.status[self.to[q] as usize] != MASKED).map(move |q| Link {
-            to: self.to[q] as usize,
-            distance: 1.0 / self.inverse_distance[q],
-            slot: (q - self.start[node] as usize) as u8,
-        })
     }
 
     #[inline]
@@ -125,7 +133,7 @@ impl Domain for Graph {
             for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
                 let node = first + k;
                 (*r, *s) = (node as u32, NO_SLOT);
-                if self.status[node] != INTERIOR {
+                if self.status[node] != Status::Interior {
                     continue;
                 }
                 let z = elevation[node];
@@ -161,7 +169,7 @@ impl Domain for Graph {
             }
             // An arc that runs over the start of a closed fan was counted twice.
             arcs -= u8::from(self.closed_fan[node] & first & before & (arcs > 1));
-            *saddle = u8::from(arcs > 1 || self.status[node] == BASE_LEVEL);
+            *saddle = u8::from(arcs > 1 || self.status[node] == Status::BaseLevel);
         });
     }
 
@@ -169,7 +177,7 @@ impl Domain for Graph {
         let row = self.row(node);
         let lower = |slot: usize| {
             let to = self.to[row.start + slot] as usize;
-            self.status[to] != MASKED && is_below(elevation, to, node)
+            self.status[to] != Status::Masked && is_below(elevation, to, node)
         };
         let degree = row.len();
         // Begin after a gap, so that no arc is cut; without a gap all is one arc.
@@ -193,7 +201,7 @@ impl Domain for Graph {
         close(arc);
     }
 
-    fn set_status(&mut self, status: Vec<u8>) {
+    fn set_status(&mut self, status: Vec<Status>) {
         self.status = status;
     }
 }

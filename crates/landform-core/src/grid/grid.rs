@@ -19,6 +19,22 @@ pub struct Grid {
     pub edges: Edges,
     /// Where it lies on the Earth.
     pub georeference: Georeference,
+    /// The grid that this is a window of, if it is one.
+    #[serde(default)]
+    pub frame: Option<Frame>,
+}
+
+/// The grid that another is a window of: what depends on the whole extent, and positions to the last bit, follow from it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Frame {
+    /// Rows and columns of the whole.
+    pub shape: Shape,
+    /// x of column 0 and y of row 0 of the whole, m.
+    pub origin: [f64; 2],
+    /// What the sides of the whole do.
+    pub edges: Edges,
+    /// Row and column of the whole at which the window begins.
+    pub first: [usize; 2],
 }
 
 /// More nodes than a 32-bit index can name are refused everywhere.
@@ -45,6 +61,7 @@ impl Grid {
             origin: [0.0, (shape.rows - 1) as f64 * spacing[1]],
             edges: Edges::default(),
             georeference: Georeference::default(),
+            frame: None,
         })
     }
 
@@ -85,12 +102,21 @@ impl Grid {
     #[inline]
     pub fn position(&self, index: usize) -> [f64; 2] {
         let cell = self.shape.cell(index);
+        if let Some(Frame { origin, first: [row, col], .. }) = self.frame {
+            let (row, col) = ((row + cell.row) as f64, (col + cell.col) as f64);
+            return [origin[0] + col * self.spacing[0], origin[1] - row * self.spacing[1]];
+        }
         [self.origin[0] + cell.col as f64 * self.spacing[0], self.origin[1] - cell.row as f64 * self.spacing[1]]
     }
 
     /// Column and row, as real numbers, of a position.
     #[inline]
     pub fn col_row(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        if let Some(Frame { origin, first: [row, col], .. }) = self.frame {
+            // Less a whole number: not a bit of the fraction is lost.
+            let (u, v) = ((x - origin[0]) / self.spacing[0], (origin[1] - y) / self.spacing[1]);
+            return [u - col as f64, v - row as f64];
+        }
         [(x - self.origin[0]) / self.spacing[0], (self.origin[1] - y) / self.spacing[1]]
     }
 
@@ -104,6 +130,67 @@ impl Grid {
     /// Extent between the outer nodes, m: (N − 1) cells.
     pub fn extent(&self) -> [f64; 2] {
         [(self.shape.cols - 1) as f64 * self.spacing[0], (self.shape.rows - 1) as f64 * self.spacing[1]]
+    }
+
+    /// The south-west and the north-east corner, m.
+    pub fn bounds(&self) -> [[f64; 2]; 2] {
+        let ([x, y], [dx, dy]) = (self.origin, self.extent());
+        [[x, y - dy], [x + dx, y]]
+    }
+
+    /// The grid that this is a window of; this one, if it is none.
+    pub fn whole(&self) -> Self {
+        match self.frame {
+            Some(Frame { shape, origin, edges, .. }) => Self { shape, origin, edges, frame: None, ..self.clone() },
+            None => self.clone(),
+        }
+    }
+
+    /// A window: rows and columns from the first to the last, both included. It knows the whole. Sides that are cut are closed.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if it is empty or leaves the grid.
+    ///
+    /// ```
+    /// # use landform_core::grid::{Grid, Shape};
+    /// let whole = Grid::new(Shape::new(5, 5), [0.1, 0.1])?;
+    /// let window = whole.window([1, 2], [3, 4])?;
+    /// assert_eq!(window.shape, Shape::new(3, 3));
+    /// assert_eq!(window.position(0), whole.position(7));
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn window(&self, first: [usize; 2], last: [usize; 2]) -> Result<Self> {
+        let Shape { rows, cols } = self.shape;
+        let [north, west] = first;
+        if last[0] >= rows || last[1] >= cols || north > last[0] || west > last[1] {
+            let value = format!("rows {north} to {}, columns {west} to {}", last[0], last[1]);
+            return Err(Error::parameter("window", value, &format!("a part of {}", self.shape)));
+        }
+        let (shape, origin, edges) = (self.shape, self.origin, self.edges);
+        let whole = self.frame.unwrap_or(Frame { shape, origin, edges, first: [0, 0] });
+        let frame = Frame { first: [whole.first[0] + north, whole.first[1] + west], ..whole };
+        let cut = [north > 0, last[0] + 1 < rows, west > 0, last[1] + 1 < cols];
+        Ok(Self {
+            shape: Shape::new(last[0] - north + 1, last[1] - west + 1),
+            origin: self.position(self.shape.index(north, west)),
+            edges: edges.cut(cut),
+            frame: Some(frame),
+            ..self.clone()
+        })
+    }
+
+    /// First and last row and column of the nodes within a rectangle (its south-west and north-east corner, m) and a margin of it, as far as
+    /// the grid goes; none if the rectangle and the grid have no node in common.
+    pub fn nodes_within(&self, [sw, ne]: [[f64; 2]; 2], margin: f64) -> Option<[[usize; 2]; 2]> {
+        let from = self.col_row([sw[0] - margin, ne[1] + margin]);
+        let to = self.col_row([ne[0] + margin, sw[1] - margin]);
+        // A rounding error beside a node still counts as on it.
+        let low = |v: f64| (v - 1e-9).ceil().max(0.0);
+        let high = |v: f64, n: usize| (v + 1e-9).floor().min((n - 1) as f64);
+        let (west, north) = (low(from[0]), low(from[1]));
+        let (east, south) = (high(to[0], self.shape.cols), high(to[1], self.shape.rows));
+        let some = west <= east && north <= south;
+        some.then_some([[north as usize, west as usize], [south as usize, east as usize]])
     }
 
     /// Area that one node stands for, m².
@@ -157,6 +244,19 @@ mod tests {
         assert_eq!(grid.position(14), [40.0, 0.0]);
         assert_eq!(grid.extent(), [40.0, 40.0]);
         assert_eq!(grid.col_row([10.0, 20.0]), [1.0, 1.0]);
+    }
+
+    #[test]
+    fn a_window_of_a_window_is_one_of_the_whole() {
+        let whole = Grid::new(Shape::new(9, 11), [0.1, 0.3]).unwrap();
+        let window = whole.window([1, 2], [7, 9]).unwrap().window([2, 3], [4, 5]).unwrap();
+        assert_eq!(window, whole.window([3, 5], [5, 7]).unwrap());
+        assert_eq!(window.whole(), whole);
+        assert!((0..9).all(|i| window.position(i) == whole.position((3 + i / 3) * 11 + 5 + i % 3)));
+        assert!(whole.window([0, 0], [9, 3]).is_err() && whole.window([3, 0], [2, 3]).is_err());
+        assert_eq!(whole.nodes_within([[0.2, 0.9], [0.4, 1.5]], 0.0), Some([[3, 2], [5, 4]]));
+        assert_eq!(whole.nodes_within([[0.2, 0.9], [0.4, 1.5]], 9.0), Some([[0, 0], [8, 10]]));
+        assert_eq!(whole.nodes_within([[20.0, 9.0], [21.0, 9.5]], 0.0), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! by 4. Masked nodes hold NaN in every elevation that is passed in, so that no comparison ever chooses them.
 
 use super::domain::steepest_link;
-use super::{BASE_LEVEL, Domain, Edge, Grid, INTERIOR, Link, MASKED, NO_SLOT, Shape, Side, is_below};
+use super::{Domain, Edge, Grid, Link, NO_SLOT, Neighbours, Shape, Side, Status, is_below};
 use crate::parallel;
 
 const ROW_STEP: [isize; 8] = [0, -1, -1, -1, 0, 1, 1, 1];
@@ -69,7 +69,7 @@ pub struct RasterDomain {
     area: f64,
     wraps_cols: bool,
     wraps_rows: bool,
-    status: Vec<u8>,
+    status: Vec<Status>,
     has_mask: bool,
 }
 
@@ -91,13 +91,13 @@ impl RasterDomain {
             area: dx * dy,
             wraps_cols: grid.edges.wraps_cols() && grid.shape.cols > 2,
             wraps_rows: grid.edges.wraps_rows() && grid.shape.rows > 2,
-            status: vec![INTERIOR; grid.len()],
+            status: vec![Status::Interior; grid.len()],
             has_mask: false,
         };
         for side in [Side::North, Side::East, Side::South, Side::West] {
             if grid.edges.get(side) == Edge::Open {
                 for i in side_nodes(grid.shape, side) {
-                    domain.status[i] = BASE_LEVEL;
+                    domain.status[i] = Status::BaseLevel;
                 }
             }
         }
@@ -118,9 +118,10 @@ impl RasterDomain {
         let outside = self.outside(valid);
         for i in 0..valid.len() {
             if !valid[i] {
-                self.status[i] = MASKED;
-            } else if self.status[i] == INTERIOR && (0..8).any(|k| self.step(i, k).is_some_and(|j| outside[j])) {
-                self.status[i] = BASE_LEVEL;
+                self.status[i] = Status::Masked;
+            } else if self.status[i] == Status::Interior && (0..8).any(|k| self.step(i, k).is_some_and(|j| outside[j]))
+            {
+                self.status[i] = Status::BaseLevel;
             }
         }
     }
@@ -128,7 +129,8 @@ impl RasterDomain {
     /// Nodata that is connected to an open side.
     fn outside(&self, valid: &[bool]) -> Vec<bool> {
         let mut outside = vec![false; valid.len()];
-        let mut stack: Vec<usize> = (0..valid.len()).filter(|&i| !valid[i] && self.status[i] == BASE_LEVEL).collect();
+        let mut stack: Vec<usize> =
+            (0..valid.len()).filter(|&i| !valid[i] && self.status[i] == Status::BaseLevel).collect();
         while let Some(i) = stack.pop() {
             if std::mem::replace(&mut outside[i], true) {
                 continue;
@@ -171,7 +173,7 @@ impl RasterDomain {
             }
         }
         for (slot, &s) in slots.iter_mut().zip(status) {
-            *slot = if s == INTERIOR { *slot } else { NO_SLOT };
+            *slot = if s == Status::Interior { *slot } else { NO_SLOT };
         }
     }
 }
@@ -248,17 +250,9 @@ pub(super) fn side_nodes(shape: Shape, side: Side) -> Box<dyn Iterator<Item = us
     }
 }
 
-impl Domain for RasterDomain {
+impl Neighbours for RasterDomain {
     fn len(&self) -> usize {
         self.status.len()
-    }
-
-    fn area(&self, _: usize) -> f64 {
-        self.area
-    }
-
-    fn status(&self) -> &[u8] {
-        &self.status
     }
 
     #[inline]
@@ -268,10 +262,20 @@ impl Domain for RasterDomain {
             let to = if plain {
                 (node as isize + self.offset[k]) as usize
             } else {
-                self.step(node, k).filter(|&j| self.status[j] != MASKED)?
+                self.step(node, k).filter(|&j| self.status[j] != Status::Masked)?
             };
             Some(Link { to, distance: self.distance[k], slot: k as u8 })
         })
+    }
+}
+
+impl Domain for RasterDomain {
+    fn area(&self, _: usize) -> f64 {
+        self.area
+    }
+
+    fn status(&self) -> &[Status] {
+        &self.status
     }
 
     #[inline]
@@ -356,7 +360,7 @@ impl Domain for RasterDomain {
                     *saddle = u8::from(arcs > 1);
                 }
                 let s = self.status[node];
-                *saddle = if s == INTERIOR { *saddle } else { u8::from(s == BASE_LEVEL) };
+                *saddle = if s == Status::Interior { *saddle } else { u8::from(s == Status::BaseLevel) };
             }
         });
     }
@@ -375,8 +379,8 @@ impl Domain for RasterDomain {
         }
     }
 
-    fn set_status(&mut self, status: Vec<u8>) {
-        self.has_mask = status.contains(&MASKED);
+    fn set_status(&mut self, status: Vec<Status>) {
+        self.has_mask = status.contains(&Status::Masked);
         self.status = status;
     }
 }
@@ -402,12 +406,12 @@ mod tests {
             domain.steepest_descent(&z, &mut receiver, &mut slot);
             domain.saddles(&z, &mut saddle);
             for i in 0..z.len() {
-                let expected = if domain.status[i] == INTERIOR { steepest_link(&domain, &z, i) } else { None };
+                let expected = if domain.status[i] == Status::Interior { steepest_link(&domain, &z, i) } else { None };
                 assert_eq!(slot[i], expected.map_or(NO_SLOT, |l| l.slot));
                 assert_eq!(receiver[i] as usize, expected.map_or(i, |l| l.to));
                 let mut arcs = 0;
                 domain.lower_arcs(&z, i, NO_SLOT, |_| arcs += 1);
-                assert_eq!(saddle[i] == 1, arcs > 1 || domain.status[i] == BASE_LEVEL);
+                assert_eq!(saddle[i] == 1, arcs > 1 || domain.status[i] == Status::BaseLevel);
             }
         }
     }
@@ -431,8 +435,8 @@ mod tests {
         }
         valid[5 * 9 + 4] = false;
         let domain = RasterDomain::new(&grid, &valid);
-        assert_eq!(domain.status[9 + 4], BASE_LEVEL, "below the outer nodata");
-        assert_eq!(domain.status[4 * 9 + 4], INTERIOR, "beside the hole");
+        assert_eq!(domain.status[9 + 4], Status::BaseLevel, "below the outer nodata");
+        assert_eq!(domain.status[4 * 9 + 4], Status::Interior, "beside the hole");
         assert!(domain.neighbours(4 * 9 + 4).all(|l| l.to != 5 * 9 + 4));
     }
 }

@@ -203,7 +203,11 @@ impl<T: Terrain> Model<T> {
         let Self { terrain, processes, seed, maps, environment, clock, .. } = self;
         for (k, process) in processes.iter_mut().enumerate() {
             let (seed, time, step) = (seed.with(k as u64), clock.time, clock.steps);
-            call(&mut **process, terrain, &Context { seed, maps: &**maps, environment, with: &[], time, step })?;
+            call(
+                &mut **process,
+                terrain,
+                &Context { seed, maps: &**maps, environment, time, step, ..Context::default() },
+            )?;
         }
         Ok(())
     }

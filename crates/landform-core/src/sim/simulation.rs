@@ -40,6 +40,21 @@ type Saver<'a, T> = Box<dyn FnMut(&Model<T>) -> Result<()> + Send + 'a>;
 ///
 /// A step is the least of the clock's, what every process allows, and the time to the next scheduled look. Whether a run was
 /// interrupted and resumed makes no difference to its bits.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::sim::{Every, Simulation, Stopped};
+/// use landform_core::terrain::HeightField;
+///
+/// let ground = HeightField::new(Grid::new(Shape::new(3, 3), [10.0, 10.0])?, vec![0.0; 9])?;
+/// let mut run = Simulation::new(ground).dt(10.0).for_time(100.0).observe(Every::Steps(1), |view| {
+///     Ok(if view.time < 30.0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
+/// });
+/// let outcome = run.run()?;
+/// assert_eq!((outcome.stopped, outcome.steps), (Stopped::ByObserver, 3));
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 pub struct Simulation<'a, T: Terrain> {
     model: Model<T>,
     stop: Stop,

@@ -8,7 +8,7 @@ use serde_json::Value as Json;
 use super::parameters::{Parameters, Refusal};
 use super::row::{Act, Run, Stage};
 use crate::terrain::{AnyTerrain, Kind, bytes_a_node};
-use crate::verb::{Context, Estimate, Landscape, Output, OwnClock, Params, Reach};
+use crate::verb::{Context, Estimate, Landscape, Output, OwnClock, Params, Reach, coarser};
 use crate::{Error, Result};
 
 /// A stage with its parameters, read once and ready to run.
@@ -66,6 +66,14 @@ impl ReadStage {
     /// How far around a place the ground can matter.
     pub fn reach(&self) -> Reach {
         self.parameters.reach
+    }
+
+    /// The stage where cells are `factor` times as long.
+    ///
+    /// # Errors
+    /// [`Refusal`] if a parameter leaves its range there.
+    pub fn coarser(&self, factor: u32) -> Result<Self, Refusal> {
+        self.stage.read(&coarser(&(self.stage.form.schema)(), self.parameters(), factor))
     }
 
     /// The clock that it brings with it, if it is a process that does.

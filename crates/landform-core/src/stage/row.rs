@@ -9,8 +9,8 @@ use super::parameters::{Parameters, Refusal, typed};
 use crate::sim::Model;
 use crate::terrain::{AnyTerrain, Held, Kind};
 use crate::verb::{
-    Context, Convert, Edit, Estimate, Export, Generator, Landscape, Measure, Output, OwnClock, Params, Process, Source,
-    properties,
+    Context, Convert, Edit, Estimate, Export, Generator, Landscape, Measure, Output, OwnClock, Params, Process, Reach,
+    Source, add_hints, properties,
 };
 use crate::{Error, Result};
 
@@ -82,6 +82,8 @@ pub struct Form {
     pub schema: fn() -> Json,
     /// Defaults, in customary units.
     pub defaults: fn() -> Json,
+    /// How far around a place the ground can matter, with the default parameters.
+    pub reach: fn() -> Reach,
     /// Reads and validates.
     pub(super) read: fn(&Json) -> Result<Parameters, Refusal>,
 }
@@ -91,8 +93,13 @@ impl Form {
     pub const fn of<P: Params>() -> Self {
         Self {
             properties: properties::<P>,
-            schema: schema_of::<P>,
-            defaults: || serde_json::to_value(P::default()).unwrap_or_default(),
+            schema: || {
+                let mut schema = schema_of::<P>();
+                add_hints(&mut schema, &defaults_of::<P>(), P::INPUTS);
+                schema
+            },
+            defaults: defaults_of::<P>,
+            reach: || P::default().reach(),
             read: |json| {
                 let params: P = serde_path_to_error::deserialize(json).map_err(Refusal::Shape)?;
                 params.validate().map_err(Refusal::Value)?;
@@ -100,6 +107,10 @@ impl Form {
             },
         }
     }
+}
+
+fn defaults_of<P: Params>() -> Json {
+    serde_json::to_value(P::default()).unwrap_or_default()
 }
 
 /// The JSON schema of parameters.

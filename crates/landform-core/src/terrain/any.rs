@@ -87,6 +87,14 @@ macro_rules! representations {
             }
         }
 
+        impl AnyTerrain {
+            /// Elevation per node, m; NaN on nodata.
+            pub fn elevation(&self) -> &[f64] {
+                // A visitor cannot hand out what it borrows.
+                None$(.or_else(|| <$type>::of(self).map(NodeSurface::elevation)))*.unwrap_or(&[])
+            }
+        }
+
         /// Bytes a node while processes run on a kind of terrain, measured.
         pub fn bytes_a_node(kind: Kind) -> u64 {
             [$(($type::KIND, $type::BYTES_A_NODE)),*].iter().find(|k| k.0 == kind).map_or(0, |k| k.1)
@@ -133,12 +141,6 @@ impl AnyTerrain {
 
     fn unsupported(&self, what: &str, supports: Kind) -> Error {
         Error::Unsupported { what: format!("`{what}`"), on: self.kind().to_string(), supports: format!("a {supports}") }
-    }
-
-    /// Elevation per node, m; NaN on nodata.
-    pub fn elevation(&self) -> &[f64] {
-        // A visitor cannot hand out what it borrows.
-        HeightField::of(self).map(NodeSurface::elevation).or(Mesh::of(self).map(NodeSurface::elevation)).unwrap_or(&[])
     }
 
     /// Names of all values that can be asked for.

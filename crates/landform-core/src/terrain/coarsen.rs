@@ -3,7 +3,7 @@
 use super::convert::elevation_raster;
 use super::{HeightField, Layer, Layers, Mesh, NodeSurface, height_field};
 use crate::field::Fields;
-use crate::grid::{BASE_LEVEL, Domain, Edges, Grid, INTERIOR, Shape};
+use crate::grid::{Domain, Edges, Grid, Shape, Status};
 use crate::parallel;
 
 /// Fewer nodes than this are not worth a level of their own.
@@ -28,7 +28,7 @@ impl Mesh {
             let sides = (0..2).filter(|&k| p[k] == lo[k] || p[k] == hi[k]).count();
             match (sides, status[i]) {
                 (2, _) => 0,
-                (_, BASE_LEVEL) => 1,
+                (_, Status::BaseLevel) => 1,
                 (1, _) => 2,
                 _ => 3,
             }
@@ -47,7 +47,7 @@ impl Mesh {
         if coarse.positions() != sites {
             return None;
         }
-        let of = |values: &[u8]| kept.iter().map(|&i| values[i as usize]).collect();
+        let of = |values: &[Status]| kept.iter().map(|&i| values[i as usize]).collect();
         coarse.set_border(of(&self.border()), of(status));
         coarse.change(Layer::Bedrock, |z| {
             z.iter_mut().zip(&kept).for_each(|(z, &i)| *z = self.elevation()[i as usize]);
@@ -112,7 +112,7 @@ impl HeightField {
         }
         let coarse = Shape::new(shape.rows.div_ceil(2), shape.cols.div_ceil(2));
         let status = self.chosen_status();
-        let is_base = |i: usize| status.is_some_and(|s| s[i] == BASE_LEVEL);
+        let is_base = |i: usize| status.is_some_and(|s| s[i] == Status::BaseLevel);
         // A chosen outlet stands for its four nodes.
         let stands_for = |i: usize| {
             let cell = coarse.cell(i);
@@ -131,6 +131,7 @@ impl HeightField {
             origin: self.grid().origin,
             edges: self.grid().edges,
             georeference: self.grid().georeference.clone(),
+            frame: None,
         };
         let z = kept.iter().map(|&i| self.elevation()[i as usize]).collect();
         let mut field = Self::new(grid, z).ok()?;
@@ -156,20 +157,20 @@ impl HeightField {
     }
 }
 
-fn set_interior(elevation: &mut [f64], status: &[u8], new: impl Fn(usize) -> f64 + Sync) {
+fn set_interior(elevation: &mut [f64], status: &[Status], new: impl Fn(usize) -> f64 + Sync) {
     parallel::update(elevation, |i, z| {
-        if status[i] == INTERIOR {
+        if status[i] == Status::Interior {
             let new = new(i);
             *z = if new.is_finite() { new } else { *z };
         }
     });
 }
 
-fn thinned(layers: &Layers, kept: &[u32]) -> Layers {
+pub(super) fn thinned(layers: &Layers, kept: &[u32]) -> Layers {
     layers.mapped(|values| kept.iter().map(|&i| values[i as usize]).collect())
 }
 
-fn pick(fields: &Fields, kept: &[u32]) -> Fields {
+pub(super) fn pick(fields: &Fields, kept: &[u32]) -> Fields {
     let mut picked = Fields::sized(kept.len());
     for (name, values) in fields.iter().filter(|(name, _)| *name != "receiver") {
         // As many as are kept, so that it cannot be refused.
@@ -200,7 +201,7 @@ mod tests {
         mesh.change(Layer::Bedrock, |z| z.iter_mut().for_each(|z| *z += 7.0));
         mesh.take_shape_of(&coarse);
         for (i, z) in mesh.elevation().iter().enumerate() {
-            let raised = if mesh.graph().status()[i] == INTERIOR { 0.0 } else { 7.0 };
+            let raised = if mesh.graph().status()[i] == Status::Interior { 0.0 } else { 7.0 };
             assert!((z - before[i] - raised).abs() < 1e-6, "node {i}");
         }
         let grid = Grid::new(Shape::new(40, 41), [10.0, 10.0]).unwrap();

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{HeightField, Mesh, NodeSurface, height_field, sea_level};
 use crate::field::{Fields, Values};
-use crate::grid::{Domain, Grid, MASKED};
+use crate::grid::{Domain, Grid, Neighbours, Status};
 use crate::{Result, parallel};
 
 /// A raster of a mesh: linear on each triangle for real fields, the nearest corner's value for identifiers.
@@ -14,34 +14,42 @@ use crate::{Result, parallel};
 ///
 /// `receiver`, which holds indices of nodes, is left behind. Outlets that were chosen come along.
 ///
+/// ```
+/// use landform_core::grid::Edges;
+/// use landform_core::terrain::{Layer, Mesh, NodeSurface, height_field_from_mesh};
+///
+/// let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+/// let mut mesh = Mesh::delaunay(&sites, Edges::default())?;
+/// let rise: Vec<f64> = mesh.positions().iter().map(|p| 0.5 * p[0]).collect();
+/// mesh.change(Layer::Bedrock, |z| z.copy_from_slice(&rise));
+/// let raster = height_field_from_mesh(&mesh, 5.0)?;
+/// assert!((raster.elevation_at([2.5, 7.5]) - 1.25).abs() < 1e-9);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`Grid::covering`].
 pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField> {
     let grid = grid_over(mesh, cell_size)?;
     let triangle = locate(mesh, &grid);
     let linear = |values: &[f64]| linear(mesh, &grid, &triangle, values);
-    let nearest = |values: &[u32]| {
-        parallel::map(grid.len(), |i| match triangle[i] {
-            u32::MAX => 0,
-            t => {
-                let corners = mesh.triangles()[t as usize];
-                let weights = barycentric(mesh, corners, grid.position(i));
-                let k = (0..3).max_by(|&a, &b| weights[a].total_cmp(&weights[b])).unwrap_or(0);
-                values[corners[k] as usize]
-            }
-        })
-    };
+    let corner = parallel::map(grid.len(), |i| match triangle[i] {
+        u32::MAX => u32::MAX,
+        t => {
+            let corners = mesh.triangles()[t as usize];
+            let weights = barycentric(mesh, corners, grid.position(i));
+            let k = (0..3).max_by(|&a, &b| weights[a].total_cmp(&weights[b])).unwrap_or(0);
+            corners[k]
+        }
+    });
     let elevation = linear(mesh.elevation());
     let mut fields = Fields::sized(grid.len());
     for (name, values) in mesh.fields.iter().filter(|(name, _)| *name != "receiver") {
         let values = match values {
             Values::F64(v) => Values::F64(linear(v)),
             Values::F32(_) => Values::F64(linear(&values.to_f64())),
-            Values::U32(v) => Values::U32(nearest(v)),
-            Values::U8(v) => {
-                let wide: Vec<u32> = v.iter().map(|&v| u32::from(v)).collect();
-                Values::U8(nearest(&wide).into_iter().map(|v| v as u8).collect())
-            }
+            Values::U32(v) => Values::U32(at_corners(v, &corner)),
+            Values::U8(v) => Values::U8(at_corners(v, &corner)),
         };
         fields.insert_values(name, values)?;
     }
@@ -51,15 +59,21 @@ pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField
     field.fields = fields;
     if let Some(status) = mesh.chosen_status() {
         let domain = field.domain();
-        let masked = |i: usize| domain.status()[i] == MASKED;
+        let masked = |i: usize| domain.status()[i] == Status::Masked;
+        let under = |z: f64, level: f64| if z <= level { Status::BaseLevel } else { Status::Interior };
         let chosen = match sea_level(status, mesh.elevation()) {
-            Some(level) => parallel::map(domain.len(), |i| u32::from(field.elevation()[i] <= level)),
-            None => nearest(&status.iter().map(|&v| u32::from(v)).collect::<Vec<_>>()),
+            Some(level) => parallel::map(domain.len(), |i| under(field.elevation()[i], level)),
+            None => at_corners(status, &corner),
         };
-        let status = chosen.iter().enumerate().map(|(i, &s)| if masked(i) { MASKED } else { s as u8 }).collect();
+        let status = chosen.iter().enumerate().map(|(i, &s)| if masked(i) { Status::Masked } else { s }).collect();
         field.set_status(Some(status));
     }
     Ok(field)
+}
+
+/// The values of the corners nearest to places; the plainest value where there is no triangle.
+fn at_corners<V: Copy + Default>(values: &[V], corner: &[u32]) -> Vec<V> {
+    corner.iter().map(|&c| values.get(c as usize).copied().unwrap_or_default()).collect()
 }
 
 /// Elevation of a mesh alone on a raster over its bounds, linear on each triangle.
@@ -143,6 +157,18 @@ pub enum Interpolation {
 
 /// A raster on another grid: interpolated where the new cells are not larger, else the mean over the new cell. Nodata spreads
 /// to cells that lack data for half of their weight.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::{HeightField, Interpolation, resample};
+///
+/// let coarse = Grid::new(Shape::new(3, 3), [10.0, 10.0])?;
+/// let plane = HeightField::new(coarse, [0.0, 10.0, 20.0].repeat(3))?;
+/// let fine = resample(&plane, &plane.grid().with_cell_size(5.0)?, Interpolation::Linear)?;
+/// assert_eq!(fine.grid().shape, Shape::new(5, 5));
+/// assert!((fine.elevation_at([15.0, 5.0]) - 15.0).abs() < 1e-9);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`HeightField::new`].
@@ -248,7 +274,7 @@ mod tests {
     use super::*;
     use crate::algo::sampling::poisson_disk;
     use crate::field::names;
-    use crate::grid::{Domain, Edges, Shape};
+    use crate::grid::{Edges, Neighbours, Shape};
     use crate::random::Seed;
     use crate::terrain::Layer;
 

@@ -2,7 +2,7 @@
 
 use super::{Ground, Layer, NodeSurface};
 use crate::Result;
-use crate::grid::{Domain, MASKED};
+use crate::grid::{Domain, Status};
 
 /// Where a brush works: a ball of influence that fades to nothing at its radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +42,7 @@ fn weights<T: NodeSurface>(terrain: &T, brush: Brush) -> Vec<(usize, f64)> {
         let [x, y] = terrain.position(i);
         (x - brush.at[0]) * (x - brush.at[0]) + (y - brush.at[1]) * (y - brush.at[1])
     };
-    let valid = |i: &usize| status[*i] != MASKED;
+    let valid = |i: &usize| status[*i] != Status::Masked;
     let radius = brush.radius * brush.radius;
     let near = (0..status.len()).filter(valid).filter(|&i| square(i) < radius);
     let mut nodes: Vec<(usize, f64)> = near.map(|i| (i, (1.0 - square(i) / radius) * domain.area(i))).collect();

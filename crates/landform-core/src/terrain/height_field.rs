@@ -7,10 +7,21 @@ use serde::{Deserialize, Serialize};
 use super::{Kind, Layers, NodeSurface, Refine, Terrain};
 use crate::feature::Features;
 use crate::field::Fields;
-use crate::grid::{Domain, Grid, RasterDomain};
+use crate::grid::{Domain, Grid, RasterDomain, Status};
 use crate::{Error, Result, parallel};
 
 /// One elevation per node of a regular grid. Nodata is NaN in the elevation, and nowhere else.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::HeightField;
+///
+/// let grid = Grid::new(Shape::new(2, 2), [10.0, 10.0])?;
+/// let ground = HeightField::new(grid, vec![0.0, 10.0, 0.0, 10.0])?;
+/// assert_eq!(ground.elevation_at([5.0, 5.0]), 5.0);
+/// assert!(ground.elevation_at([11.0, 5.0]).is_nan());
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct HeightField {
     grid: Grid,
@@ -18,7 +29,7 @@ pub struct HeightField {
     /// Which nodes have data; empty if all have.
     valid: Arc<Vec<bool>>,
     /// Status of every node, where it is not what the edges say.
-    status: Option<Arc<Vec<u8>>>,
+    status: Option<Arc<Vec<Status>>>,
     layers: Option<Box<Layers>>,
     features: Features,
     /// Optional fields, in the grid's order.
@@ -95,7 +106,7 @@ impl HeightField {
     }
 
     /// The status of every node where it is not what the edges say.
-    pub fn chosen_status(&self) -> Option<&[u8]> {
+    pub fn chosen_status(&self) -> Option<&[Status]> {
         self.status.as_deref().map(Vec::as_slice)
     }
 
@@ -175,11 +186,11 @@ impl NodeSurface for HeightField {
         self.domain.get_or_init(make).clone()
     }
 
-    fn border(&self) -> Vec<u8> {
+    fn border(&self) -> Vec<Status> {
         RasterDomain::new(&self.grid, &self.valid).status().to_vec()
     }
 
-    fn set_status(&mut self, status: Option<Vec<u8>>) {
+    fn set_status(&mut self, status: Option<Vec<Status>>) {
         self.status = status.map(Arc::new);
         self.domain = OnceLock::new();
     }
@@ -201,9 +212,11 @@ impl NodeSurface for HeightField {
     }
 
     fn bounds(&self) -> [[f64; 2]; 2] {
-        let [x, y] = self.grid.origin;
-        let [dx, dy] = self.grid.extent();
-        [[x, y - dy], [x + dx, y]]
+        self.grid.bounds()
+    }
+
+    fn whole_bounds(&self) -> [[f64; 2]; 2] {
+        self.grid.whole().bounds()
     }
 
     fn fields(&self) -> &Fields {

@@ -56,6 +56,20 @@ pub struct MovedVolume {
 }
 
 /// The make-up of the ground under every node of a surface.
+///
+/// The upper face of the first bed lies at 400 m:
+///
+/// ```
+/// use landform_core::terrain::{Bed, Layers, Materials};
+///
+/// let materials = Materials::default();
+/// let sandstone = Bed { material: materials.need("sandstone", "beds")?, thickness: 60.0 };
+/// let shale = Bed { material: materials.need("shale", "beds")?, thickness: 90.0 };
+/// let layers = Layers::bedded(&materials, vec![sandstone, shale], vec![400.0])?;
+/// assert_eq!(layers.surface(0, 390.0).name, "sandstone");
+/// assert_eq!(layers.surface(0, 330.0).name, "shale");
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Layers {
     materials: Materials,

@@ -50,6 +50,17 @@ pub struct MaterialParams {
 }
 
 /// A table of materials: the ones that come with landform, and a recipe's own.
+///
+/// ```
+/// use landform_core::terrain::Materials;
+///
+/// let materials = Materials::default();
+/// let sand = materials.get(materials.need("sand", "material")?);
+/// assert!((sand.repose.to_degrees() - 33.0).abs() < 1e-9);
+/// let error = materials.need("sandstne", "material").unwrap_err();
+/// assert!(error.to_string().contains("\"sandstone\"?"));
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Materials(Arc<Vec<Material>>);
 

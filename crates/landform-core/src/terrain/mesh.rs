@@ -21,10 +21,21 @@ use serde::{Deserialize, Serialize};
 use super::{Kind, Layers, NodeSurface, Refine, Terrain};
 use crate::feature::Features;
 use crate::field::Fields;
-use crate::grid::{BASE_LEVEL, Domain, Edge, Edges, Graph, INTERIOR, Links};
+use crate::grid::{Domain, Edge, Edges, Graph, Links, Neighbours, Status};
 use crate::{Error, Result, parallel};
 
 /// Nodes with one elevation each, joined to triangles.
+///
+/// ```
+/// use landform_core::grid::Edges;
+/// use landform_core::terrain::Mesh;
+///
+/// let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+/// let mesh = Mesh::delaunay(&sites, Edges::default())?;
+/// assert_eq!(mesh.triangles().len(), 4);
+/// assert!((mesh.area() - 100.0).abs() < 1e-9);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mesh {
     positions: Vec<[f64; 2]>,
@@ -32,7 +43,7 @@ pub struct Mesh {
     triangles: Vec<[u32; 3]>,
     graph: Arc<Graph>,
     /// Status by the open sides of the border.
-    border: Arc<Vec<u8>>,
+    border: Arc<Vec<Status>>,
     layers: Option<Box<Layers>>,
     features: Features,
     /// Optional fields, in the nodes' order.
@@ -91,13 +102,13 @@ impl Mesh {
         &self.triangles
     }
 
-    pub(super) fn set_border(&mut self, border: Vec<u8>, status: Vec<u8>) {
+    pub(super) fn set_border(&mut self, border: Vec<Status>, status: Vec<Status>) {
         self.border = Arc::new(border);
         self.set_status(Some(status));
     }
 
     /// The status of every node where it is not what the border says.
-    pub fn chosen_status(&self) -> Option<&[u8]> {
+    pub fn chosen_status(&self) -> Option<&[Status]> {
         let status = self.graph.status();
         (status != self.border.as_slice()).then_some(status)
     }
@@ -207,7 +218,8 @@ fn build_graph(
         links.reverse_from(begin);
         start.push(links.len() as u32);
     }
-    let status = (0..n).map(|i| if !closed[i] && is_open(positions[i], bounds, edges) { BASE_LEVEL } else { INTERIOR });
+    let status = (0..n)
+        .map(|i| if !closed[i] && is_open(positions[i], bounds, edges) { Status::BaseLevel } else { Status::Interior });
     let status = status.collect();
     drop((cotangent, first));
     if area.iter().any(|a| !(*a > 0.0)) {
@@ -308,11 +320,11 @@ impl NodeSurface for Mesh {
         self.graph.clone()
     }
 
-    fn border(&self) -> Vec<u8> {
+    fn border(&self) -> Vec<Status> {
         self.border.to_vec()
     }
 
-    fn set_status(&mut self, status: Option<Vec<u8>>) {
+    fn set_status(&mut self, status: Option<Vec<Status>>) {
         Arc::make_mut(&mut self.graph).set_status(status.unwrap_or_else(|| self.border.to_vec()));
     }
 
@@ -384,7 +396,7 @@ mod tests {
         for i in 0..graph.len() {
             let [x, y] = mesh.positions()[i];
             let border = x == 0.0 || x == 1000.0 || y == 0.0 || y == 700.0;
-            assert_eq!(graph.status()[i] == BASE_LEVEL, border, "{x} {y}");
+            assert_eq!(graph.status()[i] == Status::BaseLevel, border, "{x} {y}");
             for link in graph.neighbours(i) {
                 assert_eq!(graph.neighbour(link.to, graph.slot_back(i, link.slot)), i);
                 assert!(graph.conductance(i, link.slot) >= -1e-12);
@@ -402,7 +414,7 @@ mod tests {
         for i in 0..graph.len() {
             let mut arcs = Vec::new();
             graph.lower_arcs(&z, i, 255, |s| arcs.push(s));
-            assert_eq!(saddle[i] == 1, arcs.len() > 1 || graph.status()[i] == BASE_LEVEL);
+            assert_eq!(saddle[i] == 1, arcs.len() > 1 || graph.status()[i] == Status::BaseLevel);
             // An arc's neighbour in the next slot, if lower too, is not the start of another arc.
             let links: Vec<_> = graph.neighbours(i).collect();
             for pair in links.windows(2) {

@@ -6,6 +6,19 @@
 //! kinds in the project.
 //!
 //! Every node surface may be layered: [`Layers`] holds beds of rock and loose layers such as soil, sand and snow.
+//!
+//! Sand that is laid down raises the surface:
+//!
+//! ```
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::terrain::{HeightField, NodeSurface};
+//!
+//! let mut ground = HeightField::new(Grid::new(Shape::new(1, 3), [10.0, 10.0])?, vec![100.0; 3])?;
+//! ground.change_depth("sand", &[0.0, 2.0, 0.0])?;
+//! assert_eq!(ground.elevation(), [100.0, 102.0, 100.0]);
+//! assert_eq!(ground.layers().map(|l| l.surface(1, 102.0).name.as_str()), Some("sand"));
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod any;
 mod coarsen;
@@ -18,6 +31,7 @@ mod layers;
 mod material;
 mod mesh;
 mod sea;
+mod window;
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -38,7 +52,7 @@ pub use sea::sea_level;
 
 use crate::feature::Features;
 use crate::field::{Fields, Values, names};
-use crate::grid::Domain;
+use crate::grid::{Domain, Status};
 use crate::{Error, Result, parallel};
 
 /// Which representation a terrain is.
@@ -103,10 +117,10 @@ pub trait NodeSurface: Terrain {
     fn domain(&self) -> Arc<Self::Domain>;
 
     /// Sets the status of every node (see [`Outlets`](crate::verb::Outlets)); none goes back to what the border says.
-    fn set_status(&mut self, status: Option<Vec<u8>>);
+    fn set_status(&mut self, status: Option<Vec<Status>>);
 
     /// The status of every node as the border alone says.
-    fn border(&self) -> Vec<u8>;
+    fn border(&self) -> Vec<Status>;
 
     /// Elevation per node, m; NaN on masked nodes.
     fn elevation(&self) -> &[f64];
@@ -123,6 +137,11 @@ pub trait NodeSurface: Terrain {
 
     /// The rectangle around all nodes: [west, south], [east, north].
     fn bounds(&self) -> [[f64; 2]; 2];
+
+    /// As [`NodeSurface::bounds`]; of the whole, where this is a window of it.
+    fn whole_bounds(&self) -> [[f64; 2]; 2] {
+        self.bounds()
+    }
 
     /// Optional fields.
     fn fields(&self) -> &Fields;

@@ -47,6 +47,18 @@ impl Default for Environment {
 
 impl Environment {
     /// Sea level at a time (s) since the start of a run, m.
+    ///
+    /// ```
+    /// use landform_core::units::{Duration, Length, MYR};
+    /// use landform_core::verb::{Changing, Environment};
+    ///
+    /// let falling = Changing::Linear {
+    ///     times: vec![Duration::of(0.0), Duration::of(1e6)],
+    ///     values: vec![Length::of(0.0), Length::of(-100.0)],
+    /// };
+    /// let environment = Environment { sea_level: Some(falling), ..Environment::default() };
+    /// assert!((environment.sea_level_at(0.5 * MYR) + 50.0).abs() < 1e-9);
+    /// ```
     pub fn sea_level_at(&self, time: f64) -> f64 {
         self.sea_level.as_ref().map_or(0.0, |level| level.at(time))
     }

@@ -14,6 +14,18 @@ use crate::random::Seed;
 use crate::{Error, Result, math};
 
 /// A formula, read and ready.
+///
+/// ```
+/// use landform_core::random::Seed;
+/// use landform_core::verb::Formula;
+///
+/// let cone = Formula::parse("max(0, 100 * (1 - r))")?;
+/// let bounds = [[0.0, 0.0], [200.0, 200.0]];
+/// assert_eq!(cone.at(bounds, [100.0, 100.0], 0.0, Seed(0)), 100.0);
+/// assert_eq!(cone.at(bounds, [150.0, 100.0], 0.0, Seed(0)), 50.0);
+/// assert!(Formula::parse("max(0").is_err());
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
     text: String,

@@ -1,6 +1,7 @@
 //! Maps by path.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use crate::terrain::HeightField;
 use crate::{Error, Result, math};
@@ -24,11 +25,11 @@ pub trait Maps: Send + Sync {
     /// [`Error::Io`] or [`Error::Format`].
     fn image(&self, path: &Path) -> Result<Image>;
 
-    /// Reads a georeferenced raster.
+    /// Reads a georeferenced raster; one that was read lately is not read again.
     ///
     /// # Errors
     /// [`Error::Io`] or [`Error::Format`].
-    fn raster(&self, path: &Path) -> Result<HeightField>;
+    fn raster(&self, path: &Path) -> Result<Arc<HeightField>>;
 }
 
 /// No maps at all.
@@ -39,7 +40,7 @@ impl Maps for NoMaps {
     fn image(&self, path: &Path) -> Result<Image> {
         Err(Error::io("read", path, std::io::ErrorKind::NotFound.into()))
     }
-    fn raster(&self, path: &Path) -> Result<HeightField> {
+    fn raster(&self, path: &Path) -> Result<Arc<HeightField>> {
         Err(Error::io("read", path, std::io::ErrorKind::NotFound.into()))
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Context, Varying};
 use crate::algo::outlets::{at_or_under, chosen, on_sides, valleys};
-use crate::grid::{BASE_LEVEL, Domain, Side};
+use crate::grid::{Domain, Side, Status};
 use crate::terrain::NodeSurface;
 use crate::units::RatioDimension;
 use crate::{Error, Result};
@@ -78,14 +78,14 @@ impl Outlets {
                 let map = rule.border_where.resolve("outlets.border_where", terrain, context)?;
                 let border = terrain.domain();
                 let limit = rule.below * map.max();
-                chosen(terrain, |i| border.status()[i] == BASE_LEVEL && map.at(i) < limit)
+                chosen(terrain, |i| border.status()[i] == Status::BaseLevel && map.at(i) < limit)
             }
             Self::Mask(rule) => {
                 let map = rule.mask.resolve("outlets.mask", terrain, context)?;
                 chosen(terrain, |i| map.at(i) >= 0.5)
             }
         };
-        if !status.contains(&BASE_LEVEL) {
+        if !status.contains(&Status::BaseLevel) {
             return Err(self.nowhere(sea_level));
         }
         terrain.set_status(Some(status));
@@ -128,7 +128,7 @@ mod tests {
     use crate::terrain::HeightField;
 
     fn base_count(terrain: &HeightField) -> usize {
-        terrain.domain().status().iter().filter(|&&s| s == BASE_LEVEL).count()
+        terrain.domain().status().iter().filter(|&&s| s == Status::BaseLevel).count()
     }
 
     #[test]

@@ -15,6 +15,16 @@ pub trait Output {
 }
 
 /// Files in memory.
+///
+/// ```
+/// use landform_core::verb::{MemoryOutput, Output};
+///
+/// let mut out = MemoryOutput::default();
+/// out.put("maps/slope.npy", &[1, 2])?;
+/// assert_eq!(out.0["maps/slope.npy"], [1, 2]);
+/// assert!(out.put("../slope.npy", &[1, 2]).is_err());
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct MemoryOutput(pub BTreeMap<String, Vec<u8>>);
 
@@ -25,27 +35,46 @@ impl Output for MemoryOutput {
     }
 }
 
-/// Refuses a path that leaves the output folder or does not end as one of `ends`.
+/// Refuses a path that names no file or does not end as one of `ends`.
 ///
 /// # Errors
 /// [`Error::Parameter`] otherwise.
 pub fn check_path(path: &str, ends: &[&str]) -> Result<()> {
-    relative_path(path)?;
+    file_path(path)?;
     if ends.iter().any(|e| path.to_lowercase().ends_with(e)) {
         return Ok(());
     }
     Err(Error::parameter("path", format!("\"{path}\""), &format!("a name that ends with {}", ends.join(" or "))))
 }
 
+/// The path, if it can be that of a file: not empty, no folder, and not in the folder in which runs keep their state.
+///
+/// # Errors
+/// [`Error::Parameter`] otherwise.
+pub fn file_path(path: &str) -> Result<&str> {
+    let own = Path::new(path).components().any(|c| c.as_os_str() == ".landform");
+    let named = Path::new(path).file_name().is_some() && !path.ends_with(['/', '\\']) && !path.ends_with("/.");
+    if own || !named || path.contains('\0') {
+        return Err(Error::parameter("path", format!("\"{path}\""), "the name of a file"));
+    }
+    Ok(path)
+}
+
 /// The path, if it names a file below where it is put.
 ///
 /// # Errors
 /// [`Error::Parameter`] otherwise.
+///
+/// ```
+/// # use landform_core::verb::relative_path;
+/// assert_eq!(relative_path("maps/relief.png")?, "maps/relief.png");
+/// assert!(relative_path("../relief.png").is_err());
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 pub fn relative_path(path: &str) -> Result<&str> {
     let inside = Path::new(path).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
-    let own = Path::new(path).starts_with(".landform") || Path::new(path).starts_with("./.landform");
-    if path.is_empty() || own || !inside || path.ends_with('/') {
+    if !inside {
         return Err(Error::parameter("path", format!("\"{path}\""), "a file name, below the output folder"));
     }
-    Ok(path)
+    file_path(path)
 }

@@ -144,7 +144,7 @@ fn within(schema: &Value, definitions: &Value, values: &Value, prefix: &str) -> 
 }
 
 /// The schema of the table that a property is, may be, or is a list of.
-fn table_of<'a>(property: &'a Value, definitions: &'a Value) -> Option<&'a Value> {
+pub(super) fn table_of<'a>(property: &'a Value, definitions: &'a Value) -> Option<&'a Value> {
     if let Some(name) = property["$ref"].as_str().and_then(|r| r.strip_prefix("#/$defs/")) {
         return Some(&definitions[name]).filter(|d| d["properties"].is_object());
     }

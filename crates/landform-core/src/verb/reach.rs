@@ -1,4 +1,7 @@
-//! How far a stage looks.
+//! How far a stage looks, and the windows that can be built by themselves where it does not look far.
+
+use crate::grid::Grid;
+use crate::{Error, Result};
 
 /// How far around a place the ground can matter to what a stage does there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +16,20 @@ pub enum Reach {
     Whole,
 }
 
+impl Reach {
+    /// The farther of two of the same unit; all of the ground where units differ.
+    pub fn or(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Point, reach) | (reach, Self::Point) => reach,
+            (Self::Cells(a), Self::Cells(b)) => Self::Cells(a.max(b)),
+            (Self::Distance(a), Self::Distance(b)) => Self::Distance(a.max(b)),
+            // A distance is at least the two cells that every margin has.
+            (Self::Cells(1 | 2), Self::Distance(d)) | (Self::Distance(d), Self::Cells(1 | 2)) => Self::Distance(d),
+            _ => Self::Whole,
+        }
+    }
+}
+
 impl std::fmt::Display for Reach {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -22,5 +39,75 @@ impl std::fmt::Display for Reach {
             Self::Distance(d) => write!(f, "{d} m"),
             Self::Whole => f.write_str("the whole ground"),
         }
+    }
+}
+
+/// Ground around a window that must be built as well, so that the window comes out as in the whole.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Margin {
+    cells: u64,
+    distance: f64,
+    is_whole: bool,
+}
+
+impl Margin {
+    /// With the reach of one more stage.
+    #[must_use]
+    pub fn plus(self, reach: Reach) -> Self {
+        match reach {
+            Reach::Point => self,
+            Reach::Cells(n) => Self { cells: self.cells.saturating_add(n), ..self },
+            // Two cells for what interpolates between nodes.
+            Reach::Distance(d) => Self { distance: self.distance + d, cells: self.cells.saturating_add(2), ..self },
+            Reach::Whole => Self { is_whole: true, ..self },
+        }
+    }
+
+    /// Width on nodes so far apart, m; none if the whole ground is needed.
+    pub fn width(self, cell: f64) -> Option<f64> {
+        (!self.is_whole).then_some(self.distance + self.cells as f64 * cell)
+    }
+}
+
+/// A window of the ground, to be built without the rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// South-west and north-east corner, m.
+    pub bounds: [[f64; 2]; 2],
+    /// Ground around it that later stages look at.
+    pub margin: Margin,
+}
+
+impl Window {
+    /// The part of a grid that is the window with its margin.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if the window lies outside, or later stages need the whole.
+    pub fn with_margin(&self, grid: &Grid) -> Result<Grid> {
+        let cell = grid.spacing[0].max(grid.spacing[1]);
+        let Some(width) = self.margin.width(cell) else {
+            return Err(Error::parameter("region", self, "stages that do not need the whole ground"));
+        };
+        self.of(grid, width)
+    }
+
+    /// First and last row and column of a grid that the window and so much around it has, as a grid.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if the window lies outside.
+    pub fn of(&self, grid: &Grid, width: f64) -> Result<Grid> {
+        let outside = || {
+            let [[w, s], [e, n]] = grid.bounds();
+            Error::parameter("region", self, &format!("a window of the ground, which lies at {w},{s},{e},{n} m"))
+        };
+        let [first, last] = grid.nodes_within(self.bounds, width).ok_or_else(outside)?;
+        grid.window(first, last)
+    }
+}
+
+impl std::fmt::Display for Window {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [[w, s], [e, n]] = self.bounds;
+        write!(f, "{w},{s},{e},{n} m")
     }
 }

@@ -9,7 +9,7 @@ use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::changing::{Course, course_schemas};
-use super::{Changing, Formula, Maps};
+use super::{Changing, Formula, Maps, Reach};
 use crate::feature::{FeatureKind, near};
 use crate::random::Seed;
 use crate::terrain::NodeSurface;
@@ -27,6 +27,22 @@ pub trait Lookup: Sync {
 }
 
 /// A quantity that is uniform or varies in space.
+///
+/// Rain that doubles from the west side to the east side:
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::HeightField;
+/// use landform_core::units::RateDimension;
+/// use landform_core::verb::{Context, Formula, Varying};
+///
+/// let formula = Formula::parse("1 + u")?;
+/// let rain: Varying<RateDimension> = Varying::Formula { formula, unit: "mm/yr".into() };
+/// let ground = HeightField::new(Grid::new(Shape::new(2, 3), [10.0, 10.0])?, vec![0.0; 6])?;
+/// let rain = rain.resolve("rainfall", &ground, &Context::default())?;
+/// assert!((rain.at(2) / rain.at(0) - 2.0).abs() < 1e-12);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Varying<D: Dimension> {
     /// The same everywhere.
@@ -122,6 +138,11 @@ impl<D: Dimension> Varying<D> {
         if let Self::InTime(course) = self { Some(course.mean(from, to)) } else { None }
     }
 
+    /// How far around a place the ground can matter to the value there.
+    pub fn reach(&self) -> Reach {
+        if let Self::Feature { buffer, .. } = self { Reach::Distance(buffer.si()) } else { Reach::Point }
+    }
+
     /// The values on the nodes of a terrain, SI; evaluated once, so a formula of z sees the elevation as it is now, and a course in time is taken at
     /// the start ([`Varying::in_time`] gives it later).
     ///
@@ -136,7 +157,7 @@ impl<D: Dimension> Varying<D> {
             Self::Image { path, black, white } => {
                 let image = context.maps().image(Path::new(path))?;
                 let (b, w) = (black.si(), white.si());
-                let [lo, hi] = terrain.bounds();
+                let [lo, hi] = terrain.whole_bounds();
                 parallel::map(n, |i| {
                     let [x, y] = terrain.position(i);
                     let (u, v) = (ratio(x - lo[0], hi[0] - lo[0]), ratio(y - lo[1], hi[1] - lo[1]));
@@ -159,7 +180,7 @@ impl<D: Dimension> Varying<D> {
             }
             Self::Formula { formula, unit } => {
                 let factor = factor::<D>(unit);
-                let bounds = terrain.bounds();
+                let bounds = terrain.whole_bounds();
                 parallel::map(n, |i| {
                     let z = terrain.elevation()[i];
                     factor * formula.at(bounds, terrain.position(i), z, context.seed())

@@ -38,6 +38,17 @@ impl Wind {
 }
 
 /// Several winds that take turns.
+///
+/// Winds from opposite directions cancel in the mean:
+///
+/// ```
+/// use landform_core::verb::{Rose, Wind};
+///
+/// let rose = Rose::new("wind", &[Wind::from(270.0, 1.0), Wind::from(90.0, 1.0)])?;
+/// assert_eq!(rose.winds()[0].towards(), [1.0, 0.0]);
+/// assert!(rose.steadiness() < 1e-12);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rose {
     winds: Vec<Wind>,

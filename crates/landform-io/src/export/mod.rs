@@ -1,4 +1,21 @@
 //! The stages that write files.
+//!
+//! A NumPy array does not hold its scale and place. A sidecar holds them:
+//!
+//! ```
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::terrain::HeightField;
+//! use landform_core::verb::{Export, Landscape, MemoryOutput};
+//! use landform_io::export::WriteRaster;
+//!
+//! let ground = HeightField::new(Grid::new(Shape::new(2, 2), [10.0, 10.0])?, vec![0.0, 1.0, 2.0, 3.0])?;
+//! let write = WriteRaster { path: "ground.npy".into(), ..WriteRaster::default() };
+//! let mut out = MemoryOutput::default();
+//! write.export(&Landscape::plain(&ground), &mut out)?;
+//! let files: Vec<&String> = out.0.keys().collect();
+//! assert_eq!(files, ["ground.npy", "ground.npy.landform.json"]);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod geojson;
 mod write_contours;

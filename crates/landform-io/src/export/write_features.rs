@@ -4,7 +4,7 @@ use landform_core::analysis::{FeatureSearch, Width, find_features};
 use landform_core::feature::FeatureKind;
 use landform_core::terrain::Rasterize;
 use landform_core::units::{Area, Length, Rate};
-use landform_core::verb::{Export, FeatureWord, Landscape, Output, Params, Source, relative_path};
+use landform_core::verb::{Export, FeatureWord, Landscape, Output, Params, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -75,7 +75,7 @@ impl Params for WriteFeatures {
     }
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path)?;
+        file_path(&self.path)?;
         let known = [".geojson", ".json"].iter().any(|e| self.path.to_lowercase().ends_with(e));
         if known {
             Ok(())

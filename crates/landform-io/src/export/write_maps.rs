@@ -5,7 +5,7 @@ use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::analysis::density;
 use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
 use landform_core::units::Length;
-use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
 use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -44,7 +44,7 @@ impl Params for WriteMaps {
     }
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path).map(drop)
+        file_path(&self.path).map(drop)
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use landform_core::terrain::{HeightField, Mesh};
 use landform_core::units::Length;
-use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -54,7 +54,7 @@ impl Params for WriteMesh {
     }
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path)?;
+        file_path(&self.path)?;
         if self.surface == MeshSurface::Water && self.solid_base.is_some() {
             return Err(Error::parameter("solid_base", "with the water", "no base: water is a sheet"));
         }

@@ -4,7 +4,7 @@ use landform_core::analysis::{LEAST_WINDOW, density};
 use landform_core::grid::Shape;
 use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
 use landform_core::units::Angle;
-use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -91,7 +91,7 @@ impl Params for WritePicture {
     }
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path)?;
+        file_path(&self.path)?;
         if !(self.zoom.is_finite() && self.exaggeration.is_finite()) {
             return Err(Error::parameter("zoom", "not a finite number", "a number such as 1.5"));
         }

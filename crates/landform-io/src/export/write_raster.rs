@@ -4,7 +4,7 @@ use std::path::Path;
 
 use landform_core::field::{Values, names};
 use landform_core::terrain::{HeightField, NodeSurface};
-use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,7 +50,7 @@ impl Params for WriteRaster {
     }
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path)?;
+        file_path(&self.path)?;
         raster_format(Path::new(&self.path)).map(drop)
     }
 }

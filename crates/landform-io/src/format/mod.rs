@@ -1,5 +1,21 @@
 //! Files of rasters and meshes. Every reader takes hostile bytes: it answers with a terrain or an error, and asks for no
 //! more memory than a file of that length can honestly fill.
+//!
+//! ```
+//! use std::path::Path;
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::terrain::NodeSurface;
+//! use landform_io::format::{RasterFile, raster_format};
+//!
+//! let grid = Grid::new(Shape::new(2, 3), [10.0, 10.0])?;
+//! let values = [0.0, 1.5, 3.0, 4.5, 6.0, f64::NAN];
+//! let format = raster_format(Path::new("ground.tif"))?;
+//! let bytes = (format.write)(&RasterFile::real(&grid, &values, "elevation", "m", 0))?;
+//! let back = (format.read)(&bytes, None)?;
+//! assert_eq!(back.elevation()[..5], values[..5]);
+//! assert!(back.elevation()[5].is_nan());
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod animation;
 mod ascii_grid;

@@ -1,6 +1,9 @@
 //! Maps by path, relative to a folder.
 
+use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::SystemTime;
 
 use landform_core::terrain::HeightField;
 use landform_core::verb::{Image, Maps};
@@ -9,17 +12,40 @@ use landform_core::{Error, Result};
 use crate::files::read_whole;
 use crate::format::{load_raster, read_grey};
 
-/// Reads maps from disk.
-#[derive(Clone, Debug)]
+/// Bytes of rasters that are kept at most.
+const MOST_BYTES: usize = 1 << 30;
+
+/// Reads maps from disk, each once: a raster is kept until others that were read later need the room.
+#[derive(Debug)]
 pub struct FileMaps {
     folder: PathBuf,
+    /// The most recently used last.
+    rasters: Mutex<Vec<Kept>>,
+}
+
+#[derive(Debug)]
+struct Kept {
+    path: PathBuf,
+    stamp: Option<(u64, SystemTime)>,
+    raster: Arc<HeightField>,
 }
 
 impl FileMaps {
     /// Paths are relative to this folder.
     pub fn new(folder: &Path) -> Self {
-        Self { folder: folder.into() }
+        Self { folder: folder.into(), rasters: Mutex::default() }
     }
+
+    fn rasters(&self) -> MutexGuard<'_, Vec<Kept>> {
+        // A list that somebody panicked over is still a list.
+        self.rasters.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Length and time of a file: what tells that it is still the same.
+fn stamp(path: &Path) -> Option<(u64, SystemTime)> {
+    let meta = fs::metadata(path).ok()?;
+    Some((meta.len(), meta.modified().ok()?))
 }
 
 impl Maps for FileMaps {
@@ -35,7 +61,44 @@ impl Maps for FileMaps {
         })
     }
 
-    fn raster(&self, path: &Path) -> Result<HeightField> {
-        load_raster(&self.folder.join(path))
+    fn raster(&self, path: &Path) -> Result<Arc<HeightField>> {
+        let path = self.folder.join(path);
+        let now = stamp(&path);
+        let mut rasters = self.rasters();
+        if let Some(at) = rasters.iter().position(|kept| kept.path == path && kept.stamp == now && now.is_some()) {
+            let kept = rasters.remove(at);
+            let raster = kept.raster.clone();
+            rasters.push(kept);
+            return Ok(raster);
+        }
+        drop(rasters);
+        let raster = Arc::new(load_raster(&path)?);
+        let mut rasters = self.rasters();
+        rasters.retain(|kept| kept.path != path);
+        rasters.push(Kept { path, stamp: now, raster: raster.clone() });
+        let mut bytes: usize = rasters.iter().map(|kept| 8 * kept.raster.grid().len()).sum();
+        while bytes > MOST_BYTES {
+            bytes -= 8 * rasters.remove(0).raster.grid().len();
+        }
+        Ok(raster)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
+    fn a_raster_is_read_once_until_it_changes() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.asc");
+        let text = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n";
+        fs::write(&path, text).unwrap();
+        let maps = FileMaps::new(folder.path());
+        let first = maps.raster(Path::new("a.asc")).unwrap();
+        assert!(Arc::ptr_eq(&first, &maps.raster(Path::new("a.asc")).unwrap()));
+        fs::write(&path, text.replace("3 4", "3 40")).unwrap();
+        assert!(!Arc::ptr_eq(&first, &maps.raster(Path::new("a.asc")).unwrap()));
     }
 }

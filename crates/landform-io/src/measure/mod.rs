@@ -1,4 +1,17 @@
 //! The stages that tell something about a terrain, as JSON. Meshes are measured on the raster that stands for them.
+//!
+//! ```
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::terrain::HeightField;
+//! use landform_core::verb::{Landscape, Measure};
+//! use landform_io::measure::MeasureHypsometry;
+//!
+//! let ramp = (0..25).map(f64::from).collect();
+//! let ground = HeightField::new(Grid::new(Shape::new(5, 5), [10.0, 10.0])?, ramp)?;
+//! let found = MeasureHypsometry::default().measure(&Landscape::plain(&ground))?;
+//! assert!((found.integral - 0.5).abs() < 1e-12);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod coast;
 mod dunes;

@@ -3,7 +3,7 @@
 use landform_core::Result;
 use landform_core::analysis::{Hypsometry, SlopeArea, Summary, hypsometry, slope_area, summary};
 use landform_core::terrain::{NodeSurface, Rasterize};
-use landform_core::verb::{Landscape, Measure, Params, Source, relative_path};
+use landform_core::verb::{Landscape, Measure, Params, Source, file_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -41,7 +41,7 @@ impl Params for MeasureSummary {
     }
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path).map(drop)
+        file_path(&self.path).map(drop)
     }
 }
 

@@ -1,4 +1,18 @@
 //! Pictures, on the CPU: a shaded map and a perspective view. Pixels come back as buffers; `format` makes files of them.
+//!
+//! ```
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::terrain::HeightField;
+//! use landform_io::format::encode_png;
+//! use landform_io::render::{MapStyle, shaded_map};
+//!
+//! let slope = (0..64).map(f64::from).collect();
+//! let ground = HeightField::new(Grid::new(Shape::new(8, 8), [100.0, 100.0])?, slope)?;
+//! let map = shaded_map(&ground, &MapStyle { size: 32, ..MapStyle::default() })?;
+//! assert_eq!(map.shape, Shape::new(32, 32));
+//! assert!(encode_png(&map.pixels, map.shape)?.starts_with(b"\x89PNG"));
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod colour;
 mod cover;

@@ -19,6 +19,20 @@ use page::page;
 pub(crate) use pictures::{field_pictures, spectrum_picture};
 
 /// What was measured of a landscape, with its report card.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::random::Seed;
+/// use landform_core::terrain::HeightField;
+/// use landform_io::report::Analysis;
+///
+/// let grid = Grid::new(Shape::new(16, 21), [100.0, 100.0])?;
+/// let rough = (0..336).map(|i| 50.0 * Seed(1).uniform(i)).collect();
+/// let analysis = Analysis::of(&HeightField::new(grid, rough)?, None)?;
+/// assert_eq!(analysis.metrics.elevations.nodes, 336);
+/// assert!(analysis.json().contains("\"verdict\""));
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, Serialize)]
 pub struct Analysis {
     /// In a few words and why.

@@ -14,7 +14,7 @@
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
-use landform_core::grid::{Domain, INTERIOR, Link, MASKED, RasterDomain};
+use landform_core::grid::{Domain, Link, Neighbours, RasterDomain, Status};
 use landform_core::random::{Seed, Stream};
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::Length;
@@ -96,7 +96,11 @@ impl Edit<HeightField> for OptimalNetwork {
         });
         let status = domain.status();
         let cell = terrain.grid().cell_area();
-        let area = parallel::map(tree.area.len(), |i| if status[i] == MASKED { f64::NAN } else { tree.area[i] * cell });
+        let area =
+            parallel::map(
+                tree.area.len(),
+                |i| if status[i] == Status::Masked { f64::NAN } else { tree.area[i] * cell },
+            );
         terrain.fields_mut().insert(&names::DRAINAGE_AREA, area)?;
         terrain.fields_mut().insert(&names::RECEIVER, tree.receiver)
     }
@@ -209,7 +213,7 @@ impl Tree {
 
     /// Tries so many changes per node, ever colder.
     pub(super) fn search(&mut self, domain: &RasterDomain, iterations: u64, temperature: f64, seed: Seed) {
-        let has_choice = |i: &usize| domain.status()[*i] == INTERIOR && domain.neighbours(*i).next().is_some();
+        let has_choice = |i: &usize| domain.status()[*i] == Status::Interior && domain.neighbours(*i).next().is_some();
         let inner: Vec<usize> = (0..self.area.len()).filter(has_choice).collect();
         if inner.is_empty() {
             return;
@@ -254,7 +258,7 @@ impl Tree {
     pub(super) fn gains(&mut self, domain: &RasterDomain) -> f64 {
         let unit = domain.area(0).sqrt();
         let (mut all, mut lower) = (0u64, 0u64);
-        for node in (0..self.area.len()).filter(|&i| domain.status()[i] == INTERIOR) {
+        for node in (0..self.area.len()).filter(|&i| domain.status()[i] == Status::Interior) {
             for link in domain.neighbours(node).collect::<Vec<_>>() {
                 if link.to != self.receiver[node] as usize
                     && let Some((change, _)) = self.change(node, link, unit)

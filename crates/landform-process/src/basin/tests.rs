@@ -1,6 +1,6 @@
 use landform_core::analysis::{Drainage, NetworkSizes, network_scaling, scaling};
 use landform_core::field::names;
-use landform_core::grid::{BASE_LEVEL, Domain, Edge, Edges, Grid, INTERIOR, Shape};
+use landform_core::grid::{Domain, Edge, Edges, Grid, Shape, Status};
 use landform_core::math;
 use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop};
@@ -38,7 +38,7 @@ fn stresses(t: &HeightField) -> Vec<(f64, f64)> {
     let (receivers, slots) = (drainage.flow.receivers(), drainage.flow.slots());
     let z = t.elevation();
     (0..z.len())
-        .filter(|&i| drainage.domain.status()[i] == INTERIOR)
+        .filter(|&i| drainage.domain.status()[i] == Status::Interior)
         .map(|i| {
             let drop = z[i] - z[receivers[i] as usize];
             (drainage.area[i], drainage.area[i].sqrt() * drop / drainage.domain.distance(i, slots[i]) / 10.0)
@@ -126,8 +126,8 @@ fn optimal_networks_scale_as_rivers_do() {
     let mut mean = [0.0; 3];
     for seed in 1..=3 {
         let mut t = noise(128, seed);
-        let mut status = vec![INTERIOR; t.grid().len()];
-        status[127 * 128] = BASE_LEVEL;
+        let mut status = vec![Status::Interior; t.grid().len()];
+        status[127 * 128] = Status::BaseLevel;
         t.set_status(Some(status));
         let mut tree = searched_on(&t, seed, 60, 0.2);
         let length = tree.lengths();
@@ -163,8 +163,8 @@ fn rivers_at_a_steady_state_of_stream_power_are_nearly_optimal() {
     // is concave in them, so some changes gain (7.6 % here, of the 1 % that were hoped for); of a network of chance many more do.
     let mut t = noise(64, 4);
     let chance = Tree::of(&t.domain(), t.elevation(), 0.5).gains(&t.domain());
-    let mut status = vec![INTERIOR; t.grid().len()];
-    (0..64).for_each(|c| status[63 * 64 + c] = BASE_LEVEL);
+    let mut status = vec![Status::Interior; t.grid().len()];
+    (0..64).for_each(|c| status[63 * 64 + c] = Status::BaseLevel);
     t.set_status(Some(status));
     let rivers = crate::stream_power::StreamPower {
         erodibility: Some(landform_core::units::Erodibility::of(1e-5).into()),

@@ -17,7 +17,7 @@
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
-use landform_core::grid::{Domain, INTERIOR, MASKED, NO_SLOT, RasterDomain};
+use landform_core::grid::{Domain, NO_SLOT, RasterDomain, Status};
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, Ratio, YEAR};
 use landform_core::verb::{Change, Context, Outlets, OwnClock, Params, Process, Source, Step};
@@ -136,7 +136,7 @@ impl Process<HeightField> for ThresholdErosion {
             }
         }
         let status = domain.status();
-        parallel::update(&mut amount, |i, a| *a = if status[i] == MASKED { f64::NAN } else { *a });
+        parallel::update(&mut amount, |i, a| *a = if status[i] == Status::Masked { f64::NAN } else { *a });
         terrain.fields_mut().insert(&names::DRAINAGE_AREA, amount)?;
         let greatest = if raised > 0.0 { self.perturbation.si() } else { 0.0 };
         let eroded = eroded * area;
@@ -150,7 +150,7 @@ impl ThresholdErosion {
         let status = domain.status();
         let by = |i: usize| {
             let seed = at.seed.with(i as u64);
-            let hit = status[i] == INTERIOR && seed.uniform(0) < self.shaken.si();
+            let hit = status[i] == Status::Interior && seed.uniform(0) < self.shaken.si();
             if hit { self.perturbation.si() * seed.uniform(1) } else { 0.0 }
         };
         terrain.change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += by(i)));

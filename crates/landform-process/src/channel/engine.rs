@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use landform_core::algo::flow::{Flow, node_areas};
-use landform_core::grid::{BASE_LEVEL, Domain, RasterDomain};
+use landform_core::grid::{Domain, RasterDomain, Status};
 use landform_core::parallel;
 use serde::{Deserialize, Serialize};
 
@@ -114,7 +114,7 @@ impl Water {
         let faster = params.storm.si() * wet / sum;
         let depth = parallel::map(rate.len(), |i| rate[i] * faster);
         let supply = Supply { depth: &depth, total: sum * faster, evaporation: params.evaporation.si(), sinks };
-        let is_end = |i: &usize| status[*i] == BASE_LEVEL || sinks.get(*i).copied().unwrap_or(false);
+        let is_end = |i: &usize| status[*i] == Status::BaseLevel || sinks.get(*i).copied().unwrap_or(false);
         let ends: Vec<u32> = (0..status.len()).filter(is_end).map(|i| i as u32).collect();
         let mut ledger = Ledger { before: parallel::sum(ground.len(), |i| self.depth[i]), ..Ledger::default() };
         pipes.begin_sums();

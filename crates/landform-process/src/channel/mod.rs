@@ -36,7 +36,7 @@ mod wear;
 use std::sync::Arc;
 
 use landform_core::field::names;
-use landform_core::grid::{Domain, Grid, INTERIOR, MASKED, RasterDomain, Side};
+use landform_core::grid::{Domain, Grid, RasterDomain, Side, Status};
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Process, Resolved, Step};
@@ -171,17 +171,17 @@ impl Process<HeightField> for ChannelErosion {
         // Lakes keep their surface over the ground that was cut under them.
         let surface = parallel::map(rate.len(), |i| if still[i] > 0.0 { ground.z[i] + still[i] } else { f64::NAN });
         let status = domain.status();
-        let is_inner = |i: usize| status[i] == INTERIOR;
+        let is_inner = |i: usize| status[i] == Status::Interior;
         let old = terrain.elevation();
         let sum = |sign: f64| {
             let moved = |i: usize| (sign * (new[i] - old[i])).max(0.0);
-            parallel::sum(old.len(), |i| if status[i] == MASKED { 0.0 } else { moved(i) }) * area
+            parallel::sum(old.len(), |i| if status[i] == Status::Masked { 0.0 } else { moved(i) }) * area
         };
         let (eroded, deposited) = (sum(-1.0), sum(1.0));
         let raised = uplift(terrain.grid(), &weights);
         let inner = parallel::sum(old.len(), |i| f64::from(u8::from(is_inner(i))));
         terrain.change(Layer::Surface("sediment"), |z| {
-            parallel::update(z, |i, z| *z = if status[i] != MASKED { new[i] } else { *z });
+            parallel::update(z, |i, z| *z = if status[i] != Status::Masked { new[i] } else { *z });
         });
         if raised != 0.0 {
             terrain
@@ -224,14 +224,14 @@ impl ChannelErosion {
     fn supply(&self, terrain: &HeightField, domain: &RasterDomain, context: &Context) -> Result<Vec<f64>> {
         let rain = self.rainfall.resolve("rainfall", terrain, context)?;
         let (grid, status, area) = (terrain.grid(), domain.status(), terrain.grid().cell_area());
-        if let Some(i) = parallel::find_first(status.len(), |i| status[i] != MASKED && !(rain.at(i) >= 0.0)) {
+        if let Some(i) = parallel::find_first(status.len(), |i| status[i] != Status::Masked && !(rain.at(i) >= 0.0)) {
             let value = format!("{} m/s at node {i}", rain.at(i));
             return Err(Error::parameter("rainfall", value, "at least 0 everywhere"));
         }
-        let mut rate = parallel::map(status.len(), |i| if status[i] == MASKED { 0.0 } else { rain.at(i) });
+        let mut rate = parallel::map(status.len(), |i| if status[i] == Status::Masked { 0.0 } else { rain.at(i) });
         for spring in &self.springs {
             let at = spring.at.map(Length::si);
-            let node = grid.node_at(at).filter(|&i| status[i] == INTERIOR);
+            let node = grid.node_at(at).filter(|&i| status[i] == Status::Interior);
             let Some(node) = node else {
                 let [[w, s], [e, n]] = terrain.bounds();
                 let inside =
@@ -242,7 +242,7 @@ impl ChannelErosion {
         }
         for inflow in &self.inflow {
             let nodes = inside_of(grid, inflow.side);
-            let nodes: Vec<usize> = nodes.into_iter().filter(|&i| status[i] == INTERIOR).collect();
+            let nodes: Vec<usize> = nodes.into_iter().filter(|&i| status[i] == Status::Interior).collect();
             if nodes.is_empty() {
                 return Err(Error::parameter("inflow", "on a side without inner ground", "a side that has some"));
             }

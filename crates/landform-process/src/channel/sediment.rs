@@ -20,7 +20,7 @@
 //! slope that its load needs: Mackin (1948), Bull. Geol. Soc. America 59. Here that slope is the parameter, so that a weight of erosion
 //! changes how fast, not what, forms.
 
-use landform_core::grid::{BASE_LEVEL, Domain, Grid, MASKED};
+use landform_core::grid::{Domain, Grid, Status};
 use landform_core::units::Length;
 use landform_core::{math, parallel};
 use serde::{Deserialize, Serialize};
@@ -77,7 +77,7 @@ impl Sediment {
         let mut in_lakes: Vec<(usize, usize, f64)> = Vec::new();
         for i in ways.order() {
             let came = std::mem::take(&mut self.under_way[i]);
-            if status[i] == BASE_LEVEL || sinks.get(i).copied().unwrap_or(false) {
+            if status[i] == Status::BaseLevel || sinks.get(i).copied().unwrap_or(false) {
                 left += came + g.z[i] - new[i];
                 continue;
             }
@@ -127,7 +127,7 @@ impl Sediment {
 
 /// All that a round would wear away, as depths summed over nodes, m.
 fn shed(g: &Ground, new: &[f64]) -> f64 {
-    parallel::sum(new.len(), |i| if g.domain.status()[i] == MASKED { 0.0 } else { (g.z[i] - new[i]).max(0.0) })
+    parallel::sum(new.len(), |i| if g.domain.status()[i] == Status::Masked { 0.0 } else { (g.z[i] - new[i]).max(0.0) })
 }
 
 /// Slope along the ways on.

@@ -18,8 +18,8 @@
 //! the checkerboard (8/3 for one of height 1), so explicit or not it would grow.
 
 use landform_core::algo::derivative::quadratic;
-use landform_core::grid::Grid;
-use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED, RasterDomain};
+use landform_core::grid::{Domain, RasterDomain, Status};
+use landform_core::grid::{Grid, Neighbours};
 use landform_core::verb::Resolved;
 use landform_core::{math, parallel};
 
@@ -69,13 +69,13 @@ impl Ground<'_> {
     /// Whether a node is worn.
     fn gives_way(&self, i: usize) -> bool {
         let status = self.domain.status()[i];
-        status == INTERIOR || status == BASE_LEVEL && self.beyond.is_some()
+        status == Status::Interior || status == Status::BaseLevel && self.beyond.is_some()
     }
 
     /// Slope of the ground beyond the border at a node of it.
     fn fall(&self, i: usize) -> f64 {
         match self.beyond {
-            Some(b) if self.domain.status()[i] == BASE_LEVEL && self.z[i] > self.bottom => b,
+            Some(b) if self.domain.status()[i] == Status::BaseLevel && self.z[i] > self.bottom => b,
             _ => 0.0,
         }
     }
@@ -84,7 +84,7 @@ impl Ground<'_> {
     fn lowest(&self, i: usize) -> f64 {
         let beside = self.domain.neighbours(i).map(|l| self.z[l.to]).fold(f64::INFINITY, f64::min);
         match self.beyond {
-            Some(b) if self.domain.status()[i] == BASE_LEVEL => {
+            Some(b) if self.domain.status()[i] == Status::BaseLevel => {
                 let across = self.grid.spacing[0].min(self.grid.spacing[1]);
                 beside.min((self.z[i] - b * across).max(self.bottom))
             }
@@ -161,7 +161,7 @@ pub(super) fn eroded_bed(g: &Ground, weights: &Weights) -> Vec<f64> {
             return;
         }
         // Nothing comes in over a border that is cut.
-        if !weights.everywhere || g.domain.status()[i] == BASE_LEVEL {
+        if !weights.everywhere || g.domain.status()[i] == Status::BaseLevel {
             *new = new.min(g.z[i]);
         }
         if g.z[i] > cut[i].floor {
@@ -181,7 +181,7 @@ fn smooth(g: &Ground, cut: &[Cut], strength: impl Fn(usize) -> f64 + Sync) -> Ve
     let is_whole = |i: usize| {
         let (row, col) = (i / cols, i % cols);
         let is_inside = row > 0 && row + 1 < rows && col > 0 && col + 1 < cols;
-        is_inside && [i - 1, i + 1, i - cols, i + cols].iter().all(|&j| status[j] != MASKED)
+        is_inside && [i - 1, i + 1, i - cols, i + cols].iter().all(|&j| status[j] != Status::Masked)
     };
     // k / (1 + k Σ c) where all four neighbours are there; 0 for what is not smoothed, k < 0 for what has fewer neighbours.
     let share = parallel::map(cut.len(), |i| match strength(i) {

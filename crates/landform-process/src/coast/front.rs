@@ -1,7 +1,7 @@
 //! The front between land and sea, whatever drives it.
 
-use landform_core::agents::{Connectivity, Falloff, Group, RasterSites, Sites, Stencil};
-use landform_core::grid::{Edge, Edges, Grid, Shape};
+use landform_core::agents::{Connectivity, Falloff, Group, RasterSites, Stencil};
+use landform_core::grid::{Edge, Edges, Grid, Neighbours, Shape};
 use landform_core::{Result, parallel};
 
 use super::params::{Exposure, Perimeter};
@@ -82,7 +82,7 @@ impl Front {
 
     /// Sides of a site that the sea reaches.
     fn sides(&self, site: usize) -> u8 {
-        let near = self.sites.neighbours(site).filter(|n| !self.land[n.site]).count() as u8;
+        let near = self.sites.neighbours(site).filter(|n| !self.land[n.to]).count() as u8;
         near + self.edges.open_sides_at(self.shape, site) as u8
     }
 
@@ -164,7 +164,7 @@ impl Front {
         }
         for &site in sites {
             let near: [Option<usize>; 4] = {
-                let mut it = self.sites.neighbours(site).map(|n| n.site);
+                let mut it = self.sites.neighbours(site).map(|n| n.to);
                 std::array::from_fn(|_| it.next())
             };
             near.into_iter().flatten().for_each(|n| self.look(n));
@@ -180,7 +180,7 @@ impl Front {
 
     fn wraps(&self) -> [bool; 2] {
         // A torus shows in a neighbour on the far side.
-        let far = |a: usize, b: usize| a != b && self.sites.neighbours(a).any(|n| n.site == b);
+        let far = |a: usize, b: usize| a != b && self.sites.neighbours(a).any(|n| n.to == b);
         let Shape { rows, cols } = self.shape;
         [cols > 2 && far(0, cols - 1), rows > 2 && far(0, self.shape.index(rows - 1, 0))]
     }
@@ -199,9 +199,9 @@ pub(super) fn flood(grid: &Grid, z: &[f64], level: f64) -> Result<Vec<bool>> {
     pending.iter().for_each(|&i| sea[i] = true);
     while let Some(site) = pending.pop() {
         for near in sites.neighbours(site) {
-            if low(near.site) && !sea[near.site] {
-                sea[near.site] = true;
-                pending.push(near.site);
+            if low(near.to) && !sea[near.to] {
+                sea[near.to] = true;
+                pending.push(near.to);
             }
         }
     }

@@ -10,9 +10,9 @@
 //! and the less weakening there is.
 
 use landform_core::Result;
-use landform_core::agents::{Connectivity, RasterSites, Sites};
+use landform_core::agents::{Connectivity, RasterSites};
 use landform_core::error::Error;
-use landform_core::grid::Grid;
+use landform_core::grid::{Grid, Neighbours};
 use landform_core::random::Seed;
 use landform_core::units::Ratio;
 
@@ -59,8 +59,8 @@ impl Gnawing {
                     levels[site] = level;
                     let behind = sites
                         .neighbours(site)
-                        .filter(|n| levels[n.site] > 0 && n.site != site)
-                        .map(|n| if levels[n.site] == level { steps[n.site] } else { 0.0 });
+                        .filter(|n| levels[n.to] > 0 && n.to != site)
+                        .map(|n| if levels[n.to] == level { steps[n.to] } else { 0.0 });
                     let nearest = behind.fold(f64::INFINITY, f64::min);
                     steps[site] = if nearest.is_finite() { nearest + 1.0 } else { 1.0 };
                 }
@@ -71,7 +71,7 @@ impl Gnawing {
                 let stuck: Vec<usize> = front
                     .coast_sites()
                     .into_iter()
-                    .filter(|&s| sites.neighbours(s).all(|n| front.land[n.site] || levels[n.site] < level))
+                    .filter(|&s| sites.neighbours(s).all(|n| front.land[n.to] || levels[n.to] < level))
                     .collect();
                 front.fall(&stuck, &drive);
                 mark(&stuck, &mut levels, &mut steps);

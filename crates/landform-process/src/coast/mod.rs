@@ -19,6 +19,25 @@
 //!
 //! # Checked by
 //! `tests`: fractal dimension, width and final force of percolation fronts, global as the limit of local, rest, sea, weakening.
+//!
+//! # Example
+//! A sea that is stronger than any rock takes one ring of places in each round:
+//!
+//! ```
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::sim::Model;
+//! use landform_core::terrain::{HeightField, NodeSurface};
+//! use landform_core::units::{Ratio, YEAR};
+//! use landform_process::coast::CoastErosion;
+//!
+//! let island = HeightField::new(Grid::new(Shape::new(9, 9), [10.0, 10.0])?, vec![4.0; 81])?;
+//! let mut model = Model::new(island).dt(YEAR);
+//! model.add(CoastErosion { force: Ratio::of(10.0).into(), ..CoastErosion::default() })?;
+//! model.advance_steps(2)?;
+//! let land = model.terrain().elevation().iter().filter(|&&z| z > 0.0).count();
+//! assert_eq!(land, 25);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod front;
 mod front_terrain;

@@ -1,7 +1,8 @@
 //! Small islands, taken away.
 
 use landform_core::Result;
-use landform_core::agents::{Connectivity, RasterSites, Sites};
+use landform_core::agents::{Connectivity, RasterSites};
+use landform_core::grid::Neighbours;
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Edit, Params, Source};
@@ -57,10 +58,10 @@ impl Edit<HeightField> for PruneIslands {
                 // Beyond the map lies the sea.
                 sides += 4 - sites.neighbours(site).count();
                 for near in sites.neighbours(site) {
-                    if sea[near.site] {
+                    if sea[near.to] {
                         sides += 1;
-                    } else if !std::mem::replace(&mut seen[near.site], true) {
-                        island.push(near.site);
+                    } else if !std::mem::replace(&mut seen[near.to], true) {
+                        island.push(near.to);
                     }
                 }
             }

@@ -21,6 +21,26 @@
 //!
 //! # Checked by
 //! `tests`: sand kept, slopes, coarsening, bare ground, barchans' speed and shape, classes by wind, grooves, Koh's wind.
+//!
+//! # Example
+//! Wind moves sand. With periodic borders the amount of sand stays the same:
+//!
+//! ```
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::sim::Model;
+//! use landform_core::terrain::{HeightField, NodeSurface};
+//! use landform_process::dune::Dunes;
+//!
+//! let ground = HeightField::new(Grid::new(Shape::new(16, 16), [1.0, 1.0])?, vec![0.0; 256])?;
+//! let mut model = Model::new(ground).dt(1e12);
+//! model.add(Dunes::default())?;
+//! let sand = |field: &HeightField| field.depth("sand").map_or(0.0, |d| d.iter().sum::<f64>());
+//! model.start()?;
+//! let before = sand(model.terrain());
+//! model.advance_steps(3)?;
+//! assert!(before > 0.0 && (sand(model.terrain()) - before).abs() < 1e-6);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod field;
 mod koh;

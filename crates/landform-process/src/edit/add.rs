@@ -2,7 +2,7 @@
 
 use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::units::LengthDimension;
-use landform_core::verb::{Context, Edit, Params, Source, Varying};
+use landform_core::verb::{Context, Edit, Params, Reach, Source, Varying};
 use landform_core::{Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -18,6 +18,10 @@ pub struct Add {
 impl Params for Add {
     const NAME: &'static str = "add";
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        self.elevation.reach()
+    }
 }
 
 impl<T: NodeSurface> Edit<T> for Add {

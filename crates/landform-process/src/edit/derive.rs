@@ -6,7 +6,7 @@ use landform_core::algo::horizon::shadow;
 use landform_core::field::{Key, names};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Angle, Length};
-use landform_core::verb::{Context, Edit, Params, Source};
+use landform_core::verb::{Context, Edit, Params, Reach, Source};
 use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -75,9 +75,24 @@ impl Params for Derive {
             doi: "10.1029/96WR03137",
         },
     ];
+
+    fn reach(&self) -> Reach {
+        self.fields.iter().fold(Reach::Point, |reach, &what| reach.or(self.reach_of(what)))
+    }
 }
 
 impl Derive {
+    /// How far around a place a field looks.
+    fn reach_of(&self, what: Derived) -> Reach {
+        match what {
+            Derived::Slope | Derived::Aspect | Derived::ProfileCurvature | Derived::PlanCurvature => Reach::Cells(1),
+            // The window is rounded to whole cells.
+            Derived::LocalRelief => Reach::Distance(1.5 * self.radius.si()),
+            // Sums slide along rows; light and water come from afar.
+            Derived::PositionIndex | Derived::Exposure | Derived::SpreadArea => Reach::Whole,
+        }
+    }
+
     /// The key and the values of a field.
     fn field(&self, what: Derived, terrain: &HeightField) -> Result<(&'static Key<f64>, Vec<f64>)> {
         let (grid, z) = (terrain.grid(), terrain.elevation());

@@ -4,7 +4,7 @@ use landform_core::algo::derivative::{gradient, position_index};
 use landform_core::field::{Values, names};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Angle, Length, RatioDimension};
-use landform_core::verb::{Context, Edit, Params, Source, Varying};
+use landform_core::verb::{Context, Edit, Params, Reach, Source, Varying};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -56,6 +56,14 @@ impl Default for Mask {
 impl Params for Mask {
     const NAME: &'static str = "mask";
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        let map = self.map.as_ref().map_or(Reach::Point, Varying::reach);
+        let sides = if self.slope.is_some() || self.aspect.is_some() { Reach::Cells(1) } else { Reach::Point };
+        // Sums slide along rows.
+        let position = if self.position.is_some() { Reach::Whole } else { Reach::Point };
+        map.or(sides).or(position)
+    }
 
     fn check(&self) -> Result<()> {
         if self.name.is_empty() || self.name == names::ELEVATION.name {

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 pub struct Resample {
     /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
+    #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub cell_size: Length,
     /// Between the nodes, where cells shrink.
     pub interpolation: Interpolation,

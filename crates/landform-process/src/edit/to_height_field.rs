@@ -20,7 +20,7 @@ use crate::mechanism::write_drainage_fields;
 #[serde(default, deny_unknown_fields)]
 pub struct ToHeightField {
     /// Distance between nodes; adjusted so that a whole number of cells fits.
-    #[schemars(extend("x-above" = 0.0))]
+    #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub cell_size: Length,
     /// How elevation is carried over.
     pub method: Method,

@@ -4,7 +4,7 @@ use landform_core::algo::noise::fbm;
 use landform_core::field::Values;
 use landform_core::terrain::{HeightField, Interpolation, Layer, NodeSurface, sample_by};
 use landform_core::units::{Length, RatioDimension};
-use landform_core::verb::{Context, Edit, Params, Source, Varying};
+use landform_core::verb::{Context, Edit, Params, Reach, Source, Varying};
 use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -49,6 +49,10 @@ impl Params for Warp {
         title: "Texturing and Modeling: A Procedural Approach, third edition, Morgan Kaufmann",
         doi: "",
     }];
+
+    fn reach(&self) -> Reach {
+        Reach::Distance(self.amplitude.si()).or(self.amount.reach())
+    }
 }
 
 impl Edit<HeightField> for Warp {
@@ -56,7 +60,7 @@ impl Edit<HeightField> for Warp {
         let amount = self.amount.resolve("amount", terrain, context)?;
         let (amplitude, wave) = (self.amplitude.si(), self.wavelength.si());
         let gain = math::pow(2.0, -self.hurst);
-        let [lo, hi] = terrain.bounds();
+        let [lo, hi] = terrain.whole_bounds();
         let grid = terrain.grid().clone();
         let from: Vec<[f64; 2]> = parallel::map(grid.len(), |i| {
             let p = grid.position(i);

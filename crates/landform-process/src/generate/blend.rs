@@ -3,7 +3,7 @@
 use landform_core::grid::Grid;
 use landform_core::terrain::{HeightField, NodeSurface, Visit};
 use landform_core::units::{Length, Ratio, RatioDimension};
-use landform_core::verb::{Context, Edit, Params, Source, Varying};
+use landform_core::verb::{Context, Edit, Params, Reach, Source, Varying};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -89,6 +89,7 @@ impl Layer {
 trait LayerGenerator {
     fn on(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>>;
     fn check_layer(&self) -> Result<()>;
+    fn reach_of_layer(&self) -> Reach;
 }
 
 impl<P: OnGrid> LayerGenerator for P {
@@ -109,6 +110,10 @@ impl<P: OnGrid> LayerGenerator for P {
         }
         Ok(())
     }
+
+    fn reach_of_layer(&self) -> Reach {
+        self.reach()
+    }
 }
 
 impl Params for Blend {
@@ -118,6 +123,11 @@ impl Params for Blend {
 
     fn check(&self) -> Result<()> {
         self.layer.as_ref().map_or(Ok(()), |layer| layer.generator().check_layer())
+    }
+
+    fn reach(&self) -> Reach {
+        let layer = self.layer.as_ref().map_or(Reach::Point, |layer| layer.generator().reach_of_layer());
+        layer.or(self.amount.reach())
     }
 }
 

@@ -3,7 +3,7 @@
 use landform_core::Result;
 use landform_core::grid::Grid;
 use landform_core::units::Length;
-use landform_core::verb::{Context, Params, Source};
+use landform_core::verb::{Context, Params, Reach, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +29,10 @@ impl Params for Flat {
     const NAME: &'static str = "flat";
     const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
 }
 
 impl OnGrid for Flat {

@@ -3,7 +3,7 @@
 use landform_core::grid::Grid;
 use landform_core::terrain::{Bed, HeightField, Layers, NodeSurface};
 use landform_core::units::{Angle, Length, LengthDimension};
-use landform_core::verb::{Context, Estimate, Generator, Params, Resolved, Source, Varying};
+use landform_core::verb::{Context, Estimate, Generator, Params, Reach, Resolved, Source, Varying};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -81,6 +81,10 @@ impl Params for LayeredGround {
         }
         Ok(())
     }
+
+    fn reach(&self) -> Reach {
+        if self.beds.is_empty() || self.top.is_some() { Reach::Point } else { Reach::Whole }
+    }
 }
 
 impl LayeredGround {
@@ -102,7 +106,7 @@ impl LayeredGround {
             Some(top) => top.resolve("top", terrain, context)?,
             None => Resolved::Uniform(parallel::max(z.len(), |i| z[i])),
         };
-        let [lo, hi] = terrain.bounds();
+        let [lo, hi] = terrain.whole_bounds();
         let middle = [0, 1].map(|k| 0.5 * (lo[k] + hi[k]));
         let (azimuth, fall) = (self.dip_direction.si(), math::tan(self.dip.si()));
         let towards = [math::sin(azimuth), math::cos(azimuth)];
@@ -116,7 +120,7 @@ impl LayeredGround {
 
 impl Generator<HeightField> for LayeredGround {
     fn generate(&self, context: &Context) -> Result<HeightField> {
-        let grid: Grid = self.grid.grid()?;
+        let grid: Grid = context.wanted(self.grid.grid()?)?;
         let nodes = grid.len();
         let mut terrain = HeightField::new(grid, vec![0.0; nodes])?;
         let surface = self.surface.resolve("surface", &terrain, context)?;

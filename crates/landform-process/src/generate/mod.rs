@@ -1,4 +1,19 @@
 //! Starting surfaces.
+//!
+//! The top of a cone is the middle of its map:
+//!
+//! ```
+//! use landform_core::terrain::{HeightField, NodeSurface};
+//! use landform_core::units::Length;
+//! use landform_core::verb::{Context, Generator};
+//! use landform_process::generate::{Form, GridParams, Shape};
+//!
+//! let grid = GridParams::of([1_000.0, 1_000.0], 100.0);
+//! let cone = Shape { grid, form: Form::Cone, high: Length::of(300.0), ..Shape::default() };
+//! let ground: HeightField = cone.generate(&Context::default())?;
+//! assert!((ground.elevation()[60] - 300.0).abs() < 1e-9);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod blend;
 mod faulting;
@@ -26,7 +41,6 @@ pub use surface::Surface;
 use landform_core::Result;
 use landform_core::grid::Grid;
 use landform_core::terrain::{HeightField, Mesh};
-use landform_core::units::Length;
 use landform_core::verb::{Context, Estimate, Params};
 
 landform_core::stages! {
@@ -58,15 +72,15 @@ pub(crate) trait OnGrid: Params {
 
 /// The surface of a generator on its own grid.
 fn alone(generator: &impl OnGrid, context: &Context) -> Result<HeightField> {
-    let grid = generator.grid().grid()?;
+    let grid = context.wanted(generator.grid().grid()?)?;
     let elevations = generator.elevations(&grid, context)?;
     HeightField::new(grid, elevations)
 }
 
 /// What it needs.
-fn alone_estimate(generator: &impl OnGrid) -> Result<Estimate> {
-    let nodes = generator.grid().grid()?.len() as u64;
-    let extent = generator.grid().size.map(Length::si);
+fn alone_estimate(generator: &impl OnGrid, context: &Context) -> Result<Estimate> {
+    let grid = context.wanted(generator.grid().grid()?)?;
+    let (nodes, extent) = (grid.len() as u64, grid.extent());
     Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent })
 }
 
@@ -83,9 +97,9 @@ macro_rules! generator_on_grid {
 
             fn estimate(
                 &self,
-                _: &landform_core::verb::Context,
+                context: &landform_core::verb::Context,
             ) -> landform_core::Result<landform_core::verb::Estimate> {
-                super::alone_estimate(self)
+                super::alone_estimate(self, context)
             }
         }
     };

@@ -3,7 +3,7 @@
 use landform_core::algo::noise::{Basis, Fractal, FractalKind};
 use landform_core::grid::Grid;
 use landform_core::units::Length;
-use landform_core::verb::{Context, Params, Source};
+use landform_core::verb::{Context, Params, Reach, Source};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -74,6 +74,10 @@ impl Params for Noise {
             doi: "",
         },
     ];
+
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
 }
 
 impl OnGrid for Noise {

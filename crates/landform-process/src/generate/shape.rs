@@ -2,7 +2,7 @@
 
 use landform_core::grid::Grid;
 use landform_core::units::{Angle, Length};
-use landform_core::verb::{Context, Params, Source};
+use landform_core::verb::{Context, Params, Reach, Source};
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -70,6 +70,10 @@ impl Params for Shape {
     const NAME: &'static str = "shape";
     const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
 }
 
 impl Shape {
@@ -111,8 +115,9 @@ impl OnGrid for Shape {
                 &format!("at least two cells, {} m", 2.0 * cell),
             ));
         }
-        let half = grid.extent().map(|e| 0.5 * e);
-        let middle = [grid.origin[0] + half[0], grid.origin[1] - half[1]];
+        let whole = grid.whole();
+        let half = whole.extent().map(|e| 0.5 * e);
+        let middle = [whole.origin[0] + half[0], whole.origin[1] - half[1]];
         let (low, high) = (self.low.si(), self.high.si());
         Ok(parallel::map(grid.len(), |i| {
             let p = grid.position(i);

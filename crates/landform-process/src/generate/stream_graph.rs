@@ -21,10 +21,10 @@ pub struct StreamGraph {
     #[schemars(extend("x-above" = 0.0))]
     pub size: [Length; 2],
     /// Number of nodes, to about 2 %; unless `spacing` is given.
-    #[schemars(extend("x-min" = 12, "x-max" = 20_000_000))]
+    #[schemars(extend("x-min" = 12, "x-max" = 20_000_000, "x-role" = "count"))]
     pub nodes: usize,
     /// Least distance between nodes, instead of `nodes`.
-    #[schemars(extend("x-above" = 0.0))]
+    #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub spacing: Option<Length>,
     /// Elevation that the ground starts from; also the base level of open sides.
     pub elevation: Length,
@@ -89,7 +89,7 @@ impl Generator<Mesh> for StreamGraph {
         let jitter = context.seed.named("roughness");
         mesh.change(Layer::Bedrock, |z| {
             for (i, z) in z.iter_mut().enumerate() {
-                let inner = status[i] == landform_core::grid::INTERIOR;
+                let inner = status[i] == landform_core::grid::Status::Interior;
                 *z = self.elevation.si() + if inner { self.roughness.si() * jitter.uniform(i as u64) } else { 0.0 };
             }
         });

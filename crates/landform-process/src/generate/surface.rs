@@ -3,7 +3,7 @@
 use landform_core::grid::Grid;
 use landform_core::terrain::HeightField;
 use landform_core::units::LengthDimension;
-use landform_core::verb::{Context, Params, Source, Varying};
+use landform_core::verb::{Context, Params, Reach, Source, Varying};
 use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -24,6 +24,10 @@ impl Params for Surface {
     const NAME: &'static str = "surface";
     const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        self.elevation.reach()
+    }
 }
 
 impl OnGrid for Surface {

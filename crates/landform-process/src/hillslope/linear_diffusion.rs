@@ -20,7 +20,7 @@
 //! # Checked by
 //! `tests`: the parabola of uplift and creep (VP5), decay of a sine, mass, mesh against raster.
 
-use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
+use landform_core::grid::{Domain, Status};
 use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::units::{Diffusivity, DiffusivityDimension};
 use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
@@ -36,7 +36,7 @@ const MOST_ITERATIONS: usize = 20_000;
 #[serde(default, deny_unknown_fields)]
 pub struct LinearDiffusion {
     /// Diffusivity D of the soil; may vary in space or change in time.
-    #[schemars(extend("x-min" = 0.0))]
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1e6))]
     pub diffusivity: Varying<DiffusivityDimension>,
 }
 
@@ -70,7 +70,7 @@ struct System {
     start: Vec<u32>,
     links: Vec<(u32, f64)>,
     area: Vec<f64>,
-    status: Vec<u8>,
+    status: Vec<Status>,
 }
 
 impl<T: NodeSurface> Process<T> for LinearDiffusion {
@@ -105,7 +105,7 @@ impl System {
         let status = domain.status().to_vec();
         let (mut start, mut links) = (vec![0], Vec::new());
         for i in 0..domain.len() {
-            if status[i] != MASKED {
+            if status[i] != Status::Masked {
                 for link in domain.neighbours(i) {
                     let conductance = domain.conductance(i, link.slot).max(0.0);
                     if conductance > 0.0 {
@@ -131,10 +131,10 @@ impl System {
     /// Volume flux from inner nodes to base levels, m³/s.
     fn outflow(&self, z: &[f64]) -> f64 {
         parallel::sum(z.len(), |i| {
-            if self.status[i] != INTERIOR {
+            if self.status[i] != Status::Interior {
                 return 0.0;
             }
-            let base = self.row(i).iter().filter(|l| self.status[l.0 as usize] == BASE_LEVEL);
+            let base = self.row(i).iter().filter(|l| self.status[l.0 as usize] == Status::BaseLevel);
             base.map(|&(j, g)| g * (z[i] - z[j as usize])).sum()
         })
     }
@@ -142,7 +142,7 @@ impl System {
     /// The rise of every node in one backward-Euler step, by conjugate gradients.
     fn implicit_rise(&self, z: &[f64], at: &Step) -> Result<Vec<f64>> {
         let n = z.len();
-        let inner = |i: usize| self.status[i] == INTERIOR;
+        let inner = |i: usize| self.status[i] == Status::Interior;
         let diagonal = parallel::map(n, |i| {
             if inner(i) { self.area[i] / at.dt + self.row(i).iter().map(|l| l.1).sum::<f64>() } else { 1.0 }
         });

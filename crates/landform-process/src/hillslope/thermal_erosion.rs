@@ -13,7 +13,7 @@
 //! # Checked by
 //! `tests`: mass, a heap that comes to rest at the angle.
 
-use landform_core::grid::{BASE_LEVEL, Domain, MASKED};
+use landform_core::grid::{Domain, Neighbours, Status};
 use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::units::{Angle, AngleDimension, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Params, Process, Resolved, Source, Step, Varying};
@@ -96,22 +96,23 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
         };
         let steepest = parallel::map(z.len(), |i| math::tan(angle(i)));
         // What moves from `i` to `j`, as a height on a node of mean size; the angle is that of the ground that slips.
-        let least = (0..z.len()).filter(|&i| status[i] != MASKED).map(|i| domain.area(i)).fold(f64::INFINITY, f64::min);
+        let least =
+            (0..z.len()).filter(|&i| status[i] != Status::Masked).map(|i| domain.area(i)).fold(f64::INFINITY, f64::min);
         let moves = |i: usize, j: usize, distance: f64| PART * least * (z[i] - z[j] - distance * steepest[i]).max(0.0);
         let gain = parallel::map(z.len(), |i| {
-            if status[i] == MASKED {
+            if status[i] == Status::Masked {
                 return 0.0;
             }
             domain.neighbours(i).map(|l| moves(l.to, i, l.distance) - moves(i, l.to, l.distance)).sum::<f64>()
         });
-        let is_held = |i: usize| status[i] == BASE_LEVEL;
+        let is_held = |i: usize| status[i] == Status::BaseLevel;
         let exported = parallel::sum(z.len(), |i| if is_held(i) { gain[i] } else { 0.0 });
         let volume = |sign: f64| parallel::sum(z.len(), |i| if is_held(i) { 0.0 } else { (sign * gain[i]).max(0.0) });
         let (eroded, deposited) = (volume(-1.0), volume(1.0));
         let rise = |i: usize| if is_held(i) { 0.0 } else { gain[i] / domain.area(i) };
         terrain.change(Layer::Surface("gravel"), |z| {
             parallel::update(z, |i, z| {
-                if status[i] != MASKED {
+                if status[i] != Status::Masked {
                     *z += rise(i);
                 }
             });

@@ -3,7 +3,7 @@
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::algo::outlets::fill_inland_water;
 use landform_core::field::names;
-use landform_core::grid::{Domain, MASKED};
+use landform_core::grid::{Domain, Status};
 use landform_core::terrain::NodeSurface;
 use landform_core::{Result, math, parallel};
 
@@ -25,7 +25,7 @@ pub fn write_drainage_fields<T: NodeSurface>(
     }
     let depth = parallel::map(z.len(), |i| level[i] - z[i]);
     parallel::update(&mut area, |i, a| {
-        if status[i] == MASKED {
+        if status[i] == Status::Masked {
             *a = f64::NAN;
         }
     });
@@ -58,7 +58,7 @@ pub fn write_channel_steepness_fields<T: NodeSurface>(
             let length = domain.distance(i, flow.slots()[i]);
             slope[i] = (z[i] - z[r]) / length;
             chi[i] = chi[r] + math::pow(CHI_AREA / area[i], concavity) * length;
-        } else if domain.status()[i] == MASKED {
+        } else if domain.status()[i] == Status::Masked {
             (slope[i], chi[i]) = (f64::NAN, f64::NAN);
         }
     }

@@ -22,6 +22,26 @@
 //!
 //! # Checked by
 //! `tests`: mass, level plains stay level, less on steeper ground, lee against windward, spread of depths.
+//!
+//! # Example
+//! Two of the winter's twenty storms bring a tenth of its 3 m to a level plain at the snow line:
+//!
+//! ```
+//! use landform_core::grid::{Edge, Edges, Grid, Shape};
+//! use landform_core::sim::Model;
+//! use landform_core::terrain::{HeightField, NodeSurface};
+//! use landform_core::units::Length;
+//! use landform_process::snow::Snow;
+//!
+//! let mut grid = Grid::new(Shape::new(9, 9), [10.0, 10.0])?;
+//! grid.edges = Edges::all(Edge::Closed);
+//! let mut model = Model::new(HeightField::new(grid, vec![100.0; 81])?).dt(1.0);
+//! model.add(Snow { snow_line: Some(Length::of(100.0)), ..Snow::default() })?;
+//! model.advance_steps(2)?;
+//! let depth = model.terrain().depth("snow").map(|d| d[40]);
+//! assert!(depth.is_some_and(|d| (d - 0.3).abs() < 1e-6));
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 #[cfg(test)]
 mod tests;

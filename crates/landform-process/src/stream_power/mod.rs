@@ -40,6 +40,28 @@
 //! # Checked by
 //! `tests`: slope–area at every node (SP1, SP2), χ-linearity (SP3), the river of Hack's law (SP4), knickpoints (SP5), z ∝ U/K
 //! (SP6, SP7), one long step = steady state (SP8), order in time (SP9), rescaling (SP10), mass (SP11), (1 + G), the sea.
+//!
+//! # Example
+//! On a ramp that falls to the east every row is a river. At the steady state S √A = U/K. Here U/K is 1 mm/yr over 1e-5 1/yr:
+//! 100 m.
+//!
+//! ```
+//! # use landform_core::{grid::{Edge, Edges, Grid, Shape}, sim::Model, terrain::{HeightField, NodeSurface}};
+//! use landform_core::units::{Erodibility, MYR, Rate};
+//! use landform_process::{stream_power::StreamPower, uplift::Uplift};
+//!
+//! # let mut grid = Grid::new(Shape::new(3, 4), [100.0, 100.0])?;
+//! # grid.edges = Edges { east: Edge::Open, ..Edges::all(Edge::Closed) };
+//! let ramp = HeightField::new(grid, [3.0, 2.0, 1.0, 0.0].repeat(3))?;
+//! let mut model = Model::new(ramp).dt(10.0 * MYR);
+//! model.add(Uplift { rate: Rate::of(1.0).into() })?;
+//! model.add(StreamPower { erodibility: Some(Erodibility::of(1e-5).into()), ..StreamPower::default() })?;
+//! model.advance_steps(10)?;
+//! let z = model.terrain().elevation();
+//! let (slope, area) = ((z[6] - z[7]) / 100.0, 3e4_f64);
+//! assert!((slope * area.sqrt() - 100.0).abs() < 1e-3);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod braun_willett_2013;
 mod law;
@@ -54,7 +76,7 @@ use std::sync::Arc;
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
-use landform_core::grid::{BASE_LEVEL, Domain, INTERIOR, MASKED};
+use landform_core::grid::{Domain, Status};
 use landform_core::terrain::{HeightField, Layer, Layers, Mesh, NodeSurface};
 use landform_core::units::MYR;
 use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step};
@@ -178,7 +200,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             // The only other owner is the state itself, so nothing is copied after the first step.
             state.scratch.domain = None;
             let status = at_or_under(state.sea_level, terrain);
-            if !status.contains(&BASE_LEVEL) {
+            if !status.contains(&Status::BaseLevel) {
                 return Err(the_sea_is_gone(state.sea_level, at));
             }
             Arc::make_mut(&mut domain).set_status(status);
@@ -272,7 +294,8 @@ fn the_sea_is_gone(level: f64, at: &Step) -> Error {
 /// Lets every node move: at the sea nothing is held.
 fn afloat<T: NodeSurface>(terrain: &mut T) -> Vec<(u32, f64)> {
     let domain = terrain.domain();
-    let loose = domain.status().iter().map(|&s| if s == MASKED { MASKED } else { INTERIOR }).collect();
+    let loose =
+        domain.status().iter().map(|&s| if s == Status::Masked { Status::Masked } else { Status::Interior }).collect();
     terrain.set_status(Some(loose));
     Vec::new()
 }
@@ -280,8 +303,10 @@ fn afloat<T: NodeSurface>(terrain: &mut T) -> Vec<(u32, f64)> {
 fn base_levels<T: NodeSurface>(terrain: &T) -> Result<Vec<(u32, f64)>> {
     let domain = terrain.domain();
     let status = domain.status();
-    let base: Vec<_> =
-        (0..status.len()).filter(|&i| status[i] == BASE_LEVEL).map(|i| (i as u32, terrain.elevation()[i])).collect();
+    let base: Vec<_> = (0..status.len())
+        .filter(|&i| status[i] == Status::BaseLevel)
+        .map(|i| (i as u32, terrain.elevation()[i]))
+        .collect();
     if base.is_empty() {
         return Err(Error::parameter("outlets", "without a single node", "at least one node where water leaves"));
     }
@@ -296,7 +321,7 @@ fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f6
         Resolved::PerNode(rain) => rain,
     };
     let areas = node_areas(domain);
-    let valid = |i: usize| domain.status()[i] != MASKED;
+    let valid = |i: usize| domain.status()[i] != Status::Masked;
     if let Some(i) = parallel::find_first(rain.len(), |i| valid(i) && rain[i] < 0.0) {
         return Err(Error::parameter("rainfall", format!("negative at node {i}"), "at least 0 everywhere"));
     }

@@ -17,7 +17,7 @@ pub struct StreamPower {
     /// Erodibility k of the rock; may vary in space or change in time. Its true unit is m^(1-2m)/yr (for slope exponent 1): it is
     /// written 1/yr with lengths in metres, and a bare number is read the same way. If not given, each material of layered ground
     /// has its own, and other ground 2e-6 1/yr. Loose layers always have their own.
-    #[schemars(extend("x-min" = 0.0))]
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1e3))]
     pub erodibility: Option<Varying<ErodibilityDimension>>,
     /// Area exponent m; m/n is the concavity of river profiles.
     #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]

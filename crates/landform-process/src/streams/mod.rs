@@ -22,7 +22,7 @@
 mod tests;
 
 use landform_core::field::names;
-use landform_core::grid::{Domain, INTERIOR, RasterDomain};
+use landform_core::grid::{Domain, Neighbours, RasterDomain, Status};
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, Ratio, RatioDimension, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Params, Process, Resolved, Source, Step, Varying};
@@ -113,7 +113,7 @@ impl Process<HeightField> for StreamAutomaton {
         let status = terrain.domain().status().to_vec();
         let springs = self.springs.iter().map(|at| {
             let at = at.map(Length::si);
-            terrain.grid().node_at(at).filter(|&i| status[i] == INTERIOR).ok_or_else(|| {
+            terrain.grid().node_at(at).filter(|&i| status[i] == Status::Interior).ok_or_else(|| {
                 let value = format!("one at {:.0}, {:.0} m", at[0], at[1]);
                 Error::parameter("springs", value, "a place inside the map, not on its open border")
             })
@@ -136,7 +136,7 @@ impl StreamAutomaton {
     fn pass(&self, domain: &RasterDomain, z: &mut [f64], state: &mut State) -> f64 {
         let status = domain.status();
         let mut water: Vec<f64> =
-            (0..z.len()).map(|i| f64::from(u8::from(self.flood && status[i] == INTERIOR))).collect();
+            (0..z.len()).map(|i| f64::from(u8::from(self.flood && status[i] == Status::Interior))).collect();
         let mut wet: Vec<usize> = (0..z.len()).filter(|&i| water[i] > 0.0).collect();
         let mut removed = 0.0;
         for step in 0..z.len() as u64 + self.spring_steps {
@@ -166,7 +166,7 @@ impl StreamAutomaton {
                 z[i] -= height;
                 removed += height;
                 state.moves[i] += units;
-                if status[to] == INTERIOR {
+                if status[to] == Status::Interior {
                     if water[to] == 0.0 {
                         next.push(to);
                     }

@@ -11,11 +11,30 @@
 //!
 //! # Checked by
 //! `tests`, and by the steady states of `stream_power`.
+//!
+//! # Example
+//! An uplift of 1 mm/yr raises the ground by 2 m in 2 kyr. The border is held:
+//!
+//! ```
+//! use landform_core::grid::{Grid, Shape};
+//! use landform_core::sim::Model;
+//! use landform_core::terrain::{HeightField, NodeSurface};
+//! use landform_core::units::{KYR, Rate};
+//! use landform_process::uplift::Uplift;
+//!
+//! let ground = HeightField::new(Grid::new(Shape::new(3, 3), [100.0, 100.0])?, vec![0.0; 9])?;
+//! let mut model = Model::new(ground).dt(KYR);
+//! model.add(Uplift { rate: Rate::of(1.0).into() })?;
+//! model.advance_steps(2)?;
+//! let z = model.terrain().elevation();
+//! assert!((z[4] - 2.0).abs() < 1e-9 && z[0] == 0.0);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
-use landform_core::grid::{Domain, INTERIOR};
+use landform_core::grid::{Domain, Status};
 use landform_core::terrain::{HeightField, Layer, Mesh, NodeSurface};
 use landform_core::units::{Rate, RateDimension};
-use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
+use landform_core::verb::{Change, Context, Params, Process, Reach, Resolved, Source, Step, Varying};
 use landform_core::{Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -42,6 +61,10 @@ impl Params for Uplift {
     const NAME: &'static str = "uplift";
     const IN_TIME: &'static [&'static str] = &["rate"];
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        self.rate.reach()
+    }
 }
 
 /// Rates, and as scratch where they act.
@@ -49,11 +72,11 @@ impl Params for Uplift {
 pub struct State {
     rate: Resolved,
     #[serde(skip)]
-    reach: Option<Reach>,
+    raised: Option<Raised>,
 }
 
 #[derive(Clone, Debug)]
-struct Reach {
+struct Raised {
     /// Area of raised nodes, m²; 0 for the others.
     area: Vec<f64>,
     /// Area of all raised nodes, m².
@@ -64,10 +87,10 @@ struct Reach {
     supply: f64,
 }
 
-impl Reach {
+impl Raised {
     fn new<D: Domain>(domain: &D, rate: &Resolved) -> Self {
         let status = domain.status();
-        let area = parallel::map(domain.len(), |i| if status[i] == INTERIOR { domain.area(i) } else { 0.0 });
+        let area = parallel::map(domain.len(), |i| if status[i] == Status::Interior { domain.area(i) } else { 0.0 });
         let greatest = parallel::max(area.len(), |i| if area[i] > 0.0 { rate.at(i) } else { 0.0 }).max(0.0);
         let supply = parallel::sum(area.len(), |i| if area[i] > 0.0 { rate.at(i) * area[i] } else { 0.0 });
         let whole = parallel::sum(area.len(), |i| area[i]);
@@ -80,17 +103,17 @@ impl<T: NodeSurface> Process<T> for Uplift {
     type State = State;
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
-        Ok(State { rate: self.rate.resolve("rate", terrain, context)?, reach: None })
+        Ok(State { rate: self.rate.resolve("rate", terrain, context)?, raised: None })
     }
 
     fn step(&self, terrain: &mut T, state: &mut State, at: &Step) -> Result<Change> {
-        let State { rate, reach } = state;
-        let reach = reach.get_or_insert_with(|| Reach::new(&*terrain.domain(), rate));
+        let State { rate, raised } = state;
+        let raised = raised.get_or_insert_with(|| Raised::new(&*terrain.domain(), rate));
         if let Some(now) = self.rate.in_time(at.time, at.time + at.dt) {
             *rate = Resolved::Uniform(now);
-            (reach.greatest, reach.supply) = (now.max(0.0), now * reach.whole);
+            (raised.greatest, raised.supply) = (now.max(0.0), now * raised.whole);
         }
-        let Reach { area, greatest, supply, .. } = reach;
+        let Raised { area, greatest, supply, .. } = raised;
         terrain.change(Layer::Bedrock, |z| {
             parallel::update(z, |i, z| {
                 if area[i] > 0.0 {

@@ -202,6 +202,9 @@ fn lift(stage: &Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json
     }
     strip(&mut schema);
     schema["properties"]["use"] = json!({ "const": stage.name });
+    if stage.verb.changes_terrain() {
+        schema["x-reach"] = (stage.form.reach)().to_string().into();
+    }
     if own_stage {
         schema["properties"]["label"] = json!({ "type": "string" });
         schema["properties"]["from"] = json!({ "type": "string" });

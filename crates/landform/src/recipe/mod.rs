@@ -1,26 +1,50 @@
 //! Recipes: a list of stages in TOML, checked whole before anything runs.
+//!
+//! ```
+//! use std::path::Path;
+//! use landform::{core::verb::MemoryOutput, recipe::{Options, Recipe}};
+//!
+//! let text = r#"
+//! [[stage]]
+//! use = "flat"
+//! grid = { size = ["400 m", "400 m"], cell_size = "100 m" }
+//! [[stage]]
+//! use = "write_raster""#;
+//! let recipe = Recipe::parse(text, "plain", Path::new("."), &[])?;
+//! assert_eq!(recipe.plan(None, "")?.stages[0].nodes, 25);
+//! let mut out = MemoryOutput::default();
+//! recipe.run(&mut out, &Options::default())?;
+//! assert!(out.0.contains_key("elevation.tif"));
+//! # Ok::<(), landform::Error>(())
+//! ```
 
 mod cache;
 mod clock;
 mod entry;
 mod gallery;
 mod help;
+mod level;
 mod parse;
 mod plan;
+mod region;
 mod run;
+mod sequence;
 mod stages;
+mod table;
 mod tree;
 mod vary;
 mod watch;
 
+pub use cache::{CACHE_LIMIT, Cache, Kept};
 pub use clock::{Clock, Until};
 pub use gallery::{GALLERY, GalleryRecipe};
 pub use help::{Citation, Parameter, catalogue, cite, describe, parameters, schema};
 pub use landform_core::stage::{Stage, Verb};
 pub use landform_core::terrain::AnyTerrain;
+pub use level::Level;
 pub use parse::{Override, Recipe};
 pub use plan::{Plan, PlannedStage};
-pub use run::{Options, Progress, Ran, Signal};
+pub use run::{Options, Progress, Ran, Signal, Tells};
 pub use stages::stages;
 pub use vary::{Over, Row, Sweep, contact_sheet};
 pub use watch::Watch;

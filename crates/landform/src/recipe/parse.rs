@@ -1,18 +1,19 @@
 //! From text to a recipe.
 
 use std::collections::BTreeMap;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use landform_core::error::nearest;
-use landform_core::random::Seed;
-use landform_core::terrain::{Kind, MaterialParams, Materials};
-use landform_core::verb::Environment;
+use landform_core::terrain::{MaterialParams, Materials};
+use landform_core::verb::{Environment, Window};
 use landform_core::{Error, Result};
+use landform_io::import::FileMaps;
 use serde_json::Value as Json;
 
 use super::entry::{Entry, EntryReader};
-use super::stages::{stage, stages as known_stages};
+use super::sequence::read_stages;
+use super::stages::stage;
 use super::tree::{Node, Value};
 
 /// A recipe: read, checked, ready to run.
@@ -28,10 +29,30 @@ pub struct Recipe {
     pub environment: Arc<Environment>,
     /// What a person should know: words of earlier recipes, and what they are called now.
     pub notes: Vec<String>,
+    /// Whether files may be written outside of the output folder.
+    pub allow_outside: bool,
     pub(super) entries: Vec<Entry>,
+    /// Maps of its folder, each read once.
+    pub(super) maps: Arc<FileMaps>,
+    /// The part of the ground that is wanted, if not all of it is.
+    pub(super) window: Option<Window>,
 }
 
 /// A key set from outside: `LABEL_OR_STAGE.key=value`.
+///
+/// ```
+/// use std::path::Path;
+/// use landform::core::verb::MemoryOutput;
+/// use landform::recipe::{Options, Override, Ran, Recipe};
+///
+/// let text = "[[stage]]\nuse = \"flat\"\ngrid = { size = [\"400 m\", \"400 m\"] }";
+/// let higher = Override::parse("flat.elevation=9 m")?;
+/// let recipe = Recipe::parse(text, "plain", Path::new("."), &[higher])?;
+/// let ran = recipe.run(&mut MemoryOutput::default(), &Options::default())?;
+/// let Ran::ToTheEnd(terrain, _) = ran else { panic!("nobody interrupts it") };
+/// assert_eq!(terrain.elevation()[0], 9.0);
+/// # Ok::<(), landform::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Override {
     stage: String,
@@ -61,8 +82,6 @@ impl Override {
 }
 
 const TOP: [&str; 5] = ["seed", "title", "environment", "materials", "stage"];
-/// Labels that would be taken for something else.
-const RESERVED: [&str; 3] = ["environment", "materials", "grid"];
 const MOST_STAGES: usize = 1_000;
 
 impl Recipe {
@@ -85,7 +104,7 @@ impl Recipe {
     /// Reads a recipe's text; `title` if it has none, `folder` for its paths.
     ///
     /// # Errors
-    /// [`Error::Recipe`] with line and column, what was expected, and the nearest name.
+    /// [`Error::Recipe`] with line and column, what was expected, and the nearest name; [`Error::Several`] of them.
     pub fn parse(text: &str, title: &str, folder: &Path, overrides: &[Override]) -> Result<Self> {
         let mut root = Node::parse(text)?;
         let reader = EntryReader { text, notes: Default::default() };
@@ -119,7 +138,18 @@ impl Recipe {
         }
         let entries = read_stages(&reader, stages, seed)?;
         let notes = reader.notes.into_inner();
-        Ok(Self { title, seed, folder: folder.into(), environment, notes, entries })
+        let maps = Arc::new(FileMaps::new(folder));
+        Ok(Self {
+            title,
+            seed,
+            folder: folder.into(),
+            environment,
+            notes,
+            allow_outside: false,
+            entries,
+            maps,
+            window: None,
+        })
     }
 }
 
@@ -150,93 +180,6 @@ fn read_environment(reader: &EntryReader, root: &mut Node) -> Result<Environment
     }
     environment.materials = Materials::with(&changes)?;
     Ok(environment)
-}
-
-fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec<Entry>> {
-    let mut entries: Vec<Entry> = Vec::new();
-    let mut kinds: BTreeMap<String, Option<Kind>> = BTreeMap::new();
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    let mut kind = None;
-    for mut node in stages {
-        let span = node.span.clone();
-        let Some((name, name_span)) = reader.take_text(&mut node, "use")? else {
-            return Err(reader.error(
-                &span,
-                "this stage has no `use`",
-                Some("say which stage it is: use = \"...\"".into()),
-            ));
-        };
-        let label = reader.take_text(&mut node, "label")?;
-        let from = reader.take_text(&mut node, "from")?;
-        let with = reader.take_texts(&mut node, "with")?;
-        let known = |(label, span): &(String, std::ops::Range<usize>)| {
-            kinds.get(label).copied().ok_or_else(|| {
-                let hint = nearest(label, kinds.keys().map(String::as_str)).map(|n| format!("did you mean `{n}`?"));
-                reader.error(span, format!("no stage before this one has the label `{label}`"), hint)
-            })
-        };
-        if let Some(from) = &from {
-            kind = known(from)?;
-        }
-        with.iter().try_for_each(|label| known(label).map(drop))?;
-        let work = reader.work(&name, &name_span, &mut node, kind)?;
-        if let Some((_, span)) = with.first()
-            && !work.parts().iter().any(|part| part.stage().with)
-        {
-            let takers =
-                known_stages().filter(|s| s.with).map(|s| format!("`{}`", s.name)).collect::<Vec<_>>().join(", ");
-            let hint = Some(format!("these do: {takers}"));
-            return Err(reader.error(span, format!("`{name}` takes no other landscape (`with`)"), hint));
-        }
-        let to = work.parts().last().and_then(|part| part.stage().act_on(kind)).and_then(|act| act.to);
-        let after = to.or(kind);
-        kind = after;
-        let count = counts.entry(name.clone()).or_default();
-        *count += 1;
-        let identity = label.as_ref().map_or_else(|| format!("{name}#{count}"), |l| l.0.clone());
-        if let Some((label, span)) = &label {
-            if RESERVED.contains(&label.as_str()) {
-                let hint = Some("give it another name".into());
-                return Err(reader.error(span, format!("`{label}` is a word of recipes and no label"), hint));
-            }
-            if kinds.insert(label.clone(), after).is_some() {
-                return Err(reader.error(span, format!("the label `{label}` is given twice"), None));
-            }
-        }
-        entries.push(Entry {
-            seed: Seed(seed).named(&identity),
-            label: label.map(|l| l.0),
-            from: from.map(|f| f.0),
-            with: with.into_iter().map(|w| w.0).collect(),
-            kind: after,
-            name,
-            work,
-        });
-    }
-    check_paths(&entries)?;
-    Ok(entries)
-}
-
-/// Two stages that write one file would leave only the second.
-fn check_paths(entries: &[Entry]) -> Result<()> {
-    let mut seen = BTreeMap::new();
-    for (k, entry) in entries.iter().enumerate() {
-        for path in entry.work.outputs() {
-            if let Some(first) = seen.insert(plain(&path), k + 1) {
-                let what = match first == k + 1 {
-                    true => format!("stage {first} writes `{path}` twice"),
-                    false => format!("stages {first} and {} both write `{path}`", k + 1),
-                };
-                return Err(Error::Recipe { at: None, what, hint: Some("give one of them another `path`".into()) });
-            }
-        }
-    }
-    Ok(())
-}
-
-/// A path without steps that lead nowhere: "./a//b.png" is "a/b.png".
-fn plain(path: &str) -> PathBuf {
-    Path::new(path).components().filter(|c| !matches!(c, Component::CurDir)).collect()
 }
 
 /// Sets a key in every stage (or process within `evolve`) of a name, or in the one of a label.

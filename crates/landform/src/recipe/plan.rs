@@ -1,12 +1,9 @@
 //! What a recipe will do, and what it will need.
 
-use std::path::Path;
-
 use landform_core::stage::Verb;
 use landform_core::terrain::{Kind, bytes_a_node};
-use landform_core::verb::{Context, Estimate};
+use landform_core::verb::{Context, Estimate, relative_path};
 use landform_core::{Error, Result};
-use landform_io::import::FileMaps;
 
 use super::Recipe;
 use super::cache::{Cache, input_paths, key};
@@ -47,9 +44,7 @@ impl Recipe {
     ///
     /// # Errors
     /// [`Error::Stage`] with what a stage would fail at.
-    pub fn plan(&self, cache: Option<&Path>, salt: &str) -> Result<Plan> {
-        let cache = cache.map(Cache::new);
-        let maps = FileMaps::new(&self.folder);
+    pub fn plan(&self, cache: Option<&Cache>, salt: &str) -> Result<Plan> {
         let mut stages: Vec<PlannedStage> = Vec::new();
         let mut current = (Estimate::default(), self.surroundings(), None);
         let mut labelled: std::collections::BTreeMap<String, (Estimate, String, Option<Kind>)> = Default::default();
@@ -61,8 +56,9 @@ impl Recipe {
             }
             let fail = |source| Error::Stage { index: index + 1, name: entry.name.clone(), source: Box::new(source) };
             self.check_inputs(entry).map_err(fail)?;
-            let context =
-                Context { seed: entry.seed, maps: &maps, environment: &self.environment, ..Context::default() };
+            self.check_outputs(entry).map_err(fail)?;
+            let (environment, window) = (&*self.environment, self.window);
+            let context = Context { seed: entry.seed, maps: &*self.maps, environment, window, ..Context::default() };
             current.0 = estimate(entry, current.2, current.0, &context).map_err(fail)?;
             if entry.work.changes_terrain() {
                 let beside = entry.with.iter().filter_map(|label| labelled.get(label)).map(|l| l.1.as_str());
@@ -82,7 +78,7 @@ impl Recipe {
                 kind: entry.kind,
                 nodes: current.0.nodes,
                 bytes: current.0.bytes,
-                cached: entry.work.changes_terrain() && cache.as_ref().is_some_and(|c| c.has(&current.1)),
+                cached: entry.work.changes_terrain() && cache.is_some_and(|c| c.has(&current.1)),
                 key: current.1.clone(),
             });
         }
@@ -93,11 +89,25 @@ impl Recipe {
     /// What the key of the first stage begins with: what surrounds the landscape.
     fn surroundings(&self) -> String {
         let environment = &*self.environment;
+        let window = self.window.map(|w| format!("{w:?} ")).unwrap_or_default();
         if *environment == Default::default() {
-            return String::new();
+            return window;
         }
         let said = serde_json::to_string(environment).unwrap_or_default();
-        format!("{said} {}", serde_json::to_string(&environment.materials).unwrap_or_default())
+        format!("{window}{said} {}", serde_json::to_string(&environment.materials).unwrap_or_default())
+    }
+
+    /// Nothing leaves the output folder unless somebody allowed it.
+    fn check_outputs(&self, entry: &Entry) -> Result<()> {
+        let leaves = |path: &String| relative_path(path).is_err();
+        match entry.work.outputs().into_iter().find(leaves).filter(|_| !self.allow_outside) {
+            Some(path) => Err(Error::Recipe {
+                at: None,
+                what: format!("`{path}` leads out of the output folder"),
+                hint: Some("give a path below it, or allow it with --allow-outside".into()),
+            }),
+            None => Ok(()),
+        }
     }
 
     fn check_inputs(&self, entry: &Entry) -> Result<()> {

@@ -1,5 +1,6 @@
 //! Running a recipe.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -8,11 +9,10 @@ use std::sync::Arc;
 use landform_core::random::Seed;
 use landform_core::sim::{Every, Model, Simulation};
 use landform_core::stage::Verb;
-use landform_core::terrain::{AnyTerrain, Surface, Terrain, Visit};
+use landform_core::terrain::{AnyTerrain, HeightField, Held, Surface, Terrain, Visit};
 use landform_core::verb::{CancelToken, Context, Event, Landscape, Outcome, Output, Stopped};
 use landform_core::{Error, Result};
 use landform_io::files::write_whole;
-use landform_io::import::FileMaps;
 
 use super::cache::Cache;
 use super::entry::{Entry, Evolve, Work};
@@ -55,8 +55,8 @@ pub type Progress<'a> = dyn Fn(Signal) + Sync + 'a;
 
 /// How to run.
 pub struct Options<'a> {
-    /// Where terrains are kept between runs; nowhere if none.
-    pub cache: Option<PathBuf>,
+    /// Terrains of earlier runs, and where those of this one are kept.
+    pub cache: Option<&'a Cache>,
     /// Where the state of an interrupted stage is kept; nowhere if none.
     pub checkpoint: Option<PathBuf>,
     /// Goes on from the checkpoint if it fits.
@@ -67,8 +67,8 @@ pub struct Options<'a> {
     pub salt: String,
     /// Asks the run to stop.
     pub cancel: CancelToken,
-    /// Only the terrain is wanted: nothing is measured or written.
-    pub quiet: bool,
+    /// What is measured and written beside the terrain.
+    pub tells: Tells,
     /// Is told how it goes.
     pub progress: &'a Progress<'a>,
 }
@@ -82,8 +82,30 @@ impl Default for Options<'_> {
             checkpoint_every: 60.0,
             salt: String::new(),
             cancel: CancelToken::default(),
-            quiet: false,
+            tells: Tells::All,
             progress: &|_| {},
+        }
+    }
+}
+
+/// What a run measures and writes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tells {
+    /// All that the recipe says.
+    #[default]
+    All,
+    /// Its measures alone.
+    Measures,
+    /// Nothing: only the terrain is wanted.
+    Nothing,
+}
+
+impl Tells {
+    fn has(self, verb: Verb) -> bool {
+        match self {
+            Self::All => true,
+            Self::Measures => verb == Verb::Measure,
+            Self::Nothing => false,
         }
     }
 }
@@ -111,23 +133,16 @@ impl Recipe {
     /// # Errors
     /// [`Error::Stage`] with what went wrong in it.
     pub fn run(&self, out: &mut dyn Output, options: &Options) -> Result<Ran> {
-        let cache = options.cache.as_deref().map(Cache::new);
-        let runner = Runner {
-            recipe: self,
-            options,
-            cache,
-            maps: Arc::new(FileMaps::new(&self.folder)),
-            damaged: Default::default(),
-        };
+        let runner = Runner { recipe: self, options, cache: options.cache, damaged: Default::default() };
         self.notes.iter().for_each(|note| (options.progress)(Signal::Note(note.clone())));
         loop {
-            let plan = self.plan(options.cache.as_deref(), &options.salt)?;
+            let plan = self.plan(options.cache, &options.salt)?;
             let ran = runner.run(&plan, out);
             // A terrain that was taken for cached and cannot be read: forget it and begin again.
             match runner.damaged.take() {
                 Some((key, why)) => {
                     (options.progress)(Signal::Note(format!("cache: {why}; the stage is run again")));
-                    runner.cache.iter().for_each(|c| c.forget(&key));
+                    options.cache.iter().for_each(|c| c.forget(&key));
                 }
                 None => return ran,
             }
@@ -138,8 +153,7 @@ impl Recipe {
 struct Runner<'a> {
     recipe: &'a Recipe,
     options: &'a Options<'a>,
-    cache: Option<Cache>,
-    maps: Arc<FileMaps>,
+    cache: Option<&'a Cache>,
     /// Key of a cached terrain that could not be read, and why.
     damaged: std::cell::RefCell<Option<(String, String)>>,
 }
@@ -162,7 +176,7 @@ impl Runner<'_> {
                 current = slot.clone();
             }
             // What is written on the way is not in the cache.
-            let watched = entry.work.watch().is_some() && !self.options.quiet;
+            let watched = entry.work.watch().is_some() && self.watches();
             let known = if planned.cached && !watched { self.known(&planned.key, &current) } else { None };
             (self.options.progress)(Signal::Stage {
                 index: k + 1,
@@ -176,11 +190,17 @@ impl Runner<'_> {
             if let Some(slot) = known {
                 current = slot;
             } else if !entry.work.changes_terrain() {
-                if self.options.quiet {
+                if !self.options.tells.has(entry.work.verb()) {
                     continue;
                 }
                 let terrain = self.terrain(&mut current).map_err(fail)?;
-                self.tell(entry, &terrain, &current.history, out).map_err(fail)?;
+                match self.tell(entry, &terrain, &current.history, out) {
+                    // One measure that finds nothing to measure does not end a sweep.
+                    Err(e) if self.options.tells == Tells::Measures => {
+                        (self.options.progress)(Signal::Note(format!("`{}`: {e}", entry.name)));
+                    }
+                    told => told.map_err(fail)?,
+                }
             } else {
                 let mut with = Vec::new();
                 for label in &entry.with {
@@ -198,12 +218,23 @@ impl Runner<'_> {
             }
         }
         let terrain = self.terrain(&mut current)?;
+        let terrain = match self.shown(&terrain)? {
+            Cow::Borrowed(_) => terrain,
+            Cow::Owned(window) => Arc::new(window),
+        };
         Ok(Ran::ToTheEnd(terrain, current.history))
+    }
+
+    /// The part of a terrain that was asked for, without its margin.
+    fn shown<'t>(&self, terrain: &'t AnyTerrain) -> Result<Cow<'t, AnyTerrain>> {
+        let Some(window) = self.recipe.window else { return Ok(Cow::Borrowed(terrain)) };
+        let field = terrain.get::<HeightField>("region")?;
+        Ok(Cow::Owned(field.window(&window.of(field.grid(), 0.0)?)?.wrap()))
     }
 
     /// The slot of a cached key; its terrain is read when it is wanted.
     fn known(&self, key: &str, before: &Slot) -> Option<Slot> {
-        let event = self.cache.as_ref()?.event(key).ok()?;
+        let event = self.cache?.event(key).ok()?;
         let mut history = before.history.clone();
         history.push(event);
         Some(Slot { key: key.into(), terrain: None, history })
@@ -213,10 +244,10 @@ impl Runner<'_> {
         if let Some(terrain) = &slot.terrain {
             return Ok(terrain.clone());
         }
-        let Some(cache) = self.cache.as_ref().filter(|_| !slot.key.is_empty()) else {
+        let Some(cache) = self.cache.filter(|_| !slot.key.is_empty()) else {
             return Err(Error::Recipe { at: None, what: "there is no terrain yet".into(), hint: None });
         };
-        let terrain = cache.terrain(&slot.key).map(Arc::new).inspect_err(|e| {
+        let terrain = cache.terrain(&slot.key).inspect_err(|e| {
             self.damaged.replace(Some((slot.key.clone(), e.to_string())));
         })?;
         slot.terrain = Some(terrain.clone());
@@ -233,7 +264,8 @@ impl Runner<'_> {
         out: &mut dyn Output,
     ) -> Result<Option<Slot>> {
         let environment = &*self.recipe.environment;
-        let context = Context { seed: entry.seed, maps: &*self.maps, environment, with, ..Context::default() };
+        let (seed, window) = (entry.seed, self.recipe.window);
+        let context = Context { seed, maps: &*self.recipe.maps, environment, with, window, ..Context::default() };
         let mut outcome = None;
         let terrain = match &entry.work {
             Work::Evolve(evolve) => {
@@ -249,8 +281,8 @@ impl Runner<'_> {
             Work::Once(stage) if stage.stage().verb == Verb::Generate => stage.apply(None, &context)?,
             Work::Once(stage) => stage.apply(Some(&*self.terrain(current)?), &context)?,
         };
-        let event = event(entry, outcome);
-        if let Some(cache) = &self.cache
+        let (terrain, event) = (Arc::new(terrain), event(entry, outcome));
+        if let Some(cache) = self.cache
             && let Err(e) = cache.store(key, &terrain, &event)
         {
             (self.options.progress)(Signal::Note(format!("cache: {e}; the run goes on without it")));
@@ -260,11 +292,17 @@ impl Runner<'_> {
             history.clear();
         }
         history.push(event);
-        Ok(Some(Slot { key: key.into(), terrain: Some(Arc::new(terrain)), history }))
+        Ok(Some(Slot { key: key.into(), terrain: Some(terrain), history }))
+    }
+
+    /// Whether what `watch` asks for is written.
+    fn watches(&self) -> bool {
+        self.options.tells == Tells::All
     }
 
     fn tell(&self, entry: &Entry, terrain: &AnyTerrain, history: &[Event], out: &mut dyn Output) -> Result<()> {
         let Work::Once(stage) = &entry.work else { return Ok(()) };
+        let terrain = &*self.shown(terrain)?;
         let mut landscape = Landscape::plain(terrain);
         landscape.environment = &self.recipe.environment;
         (landscape.history, landscape.seed, landscape.title) = (history, self.recipe.seed, &self.recipe.title);
@@ -287,10 +325,10 @@ impl Runner<'_> {
         let model = model
             .dt(clock.step())
             .seed(seed)
-            .maps(self.maps.clone())
+            .maps(self.recipe.maps.clone())
             .environment(self.recipe.environment.clone())
             .cancel(self.options.cancel.clone());
-        let watcher = evolve.watch.as_ref().filter(|_| !self.options.quiet).map(|w| Watcher::new(w, clock.timeless));
+        let watcher = evolve.watch.as_ref().filter(|_| self.watches()).map(|w| Watcher::new(w, clock.timeless));
         let watcher = std::sync::Mutex::new(watcher);
         let stop = clock.stop();
         let mut first_residual = None;
@@ -311,14 +349,13 @@ impl Runner<'_> {
             (self.options.progress)(Signal::Step { steps: view.steps, time: view.time, part, residual: view.residual });
             Ok(ControlFlow::Continue(()))
         });
-        if let Some(watch) = evolve.watch.as_ref().filter(|_| !self.options.quiet) {
+        if let Some(watch) = evolve.watch.as_ref().filter(|_| self.watches()) {
             simulation = simulation.observe(watch.interval(), |view| match watcher.lock() {
                 Ok(mut watcher) => watcher.as_mut().map_or(Ok(ControlFlow::Continue(())), |w| w.look(view)),
                 Err(_) => Ok(ControlFlow::Break(())),
             });
         }
-        if let Some(every @ Every::Time(_)) = evolve.watch.as_ref().filter(|_| self.options.quiet).map(Watch::interval)
-        {
+        if let Some(every @ Every::Time(_)) = evolve.watch.as_ref().filter(|_| !self.watches()).map(Watch::interval) {
             // Nobody looks, but steps are as long as if somebody did.
             simulation = simulation.observe(every, |_| Ok(ControlFlow::Continue(())));
         }

@@ -1,21 +1,19 @@
 //! The same recipe many times: seeds, and values of keys.
 
-use std::fmt::Write;
 use std::sync::Arc;
 use std::time::Instant;
 
 use landform_core::analysis::{Hypsometry, SlopeArea, Summary};
 use landform_core::grid::Shape;
 use landform_core::terrain::{AnyTerrain, Surface, Visit};
-use landform_core::units::YEAR;
-use landform_core::verb::{CancelToken, Landscape, Measure, MemoryOutput, Outcome, Stopped};
+use landform_core::verb::{CancelToken, Landscape, Measure, MemoryOutput, Outcome};
 use landform_core::{Error, Result, parallel};
 use landform_io::export::WritePicture;
 use landform_io::measure::{MeasureSummary, Measured};
 use landform_io::render::Picture;
 
 use super::watch::draw;
-use super::{Options, Override, Ran, Recipe};
+use super::{Cache, Options, Override, Ran, Recipe, Tells};
 
 /// A key and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,6 +90,8 @@ pub struct Row {
     pub hypsometry: Hypsometry,
     /// Slope against drainage area.
     pub slope_area: SlopeArea,
+    /// Numbers of the recipe's measures: the stage's label or name and the path of the number, and its value.
+    pub measures: Vec<(String, f64)>,
     /// Seconds on the wall.
     pub seconds: f64,
     /// The landscape, if it was to be kept.
@@ -100,6 +100,8 @@ pub struct Row {
 
 /// Most runs of a sweep.
 const MOST_RUNS: usize = 10_000;
+/// Bytes of terrains that runs share.
+const MOST_MEMORY: u64 = 1 << 30;
 
 impl Sweep {
     /// Seeds and values of every run.
@@ -156,10 +158,12 @@ impl Sweep {
         }
         let room = memory.map_or(usize::MAX, |m| (m / bytes.max(1)) as usize);
         let at_once = room.clamp(1, parallel::threads());
+        // Stages before the first that is varied are run once.
+        let cache = Cache::in_memory(memory.map_or(MOST_MEMORY, |m| (m / 8).min(MOST_MEMORY)));
         let mut rows = Vec::with_capacity(runs.len());
         for first in (0..runs.len()).step_by(at_once) {
             let batch = parallel::map((runs.len() - first).min(at_once), |k| {
-                let row = self.one(&recipes[first + k], &runs[first + k], cancel)?;
+                let row = self.one(&recipes[first + k], &runs[first + k], &cache, cancel)?;
                 done(first + k, &row);
                 Ok(row)
             });
@@ -174,8 +178,8 @@ impl Sweep {
     }
 
     /// One run; an error says which.
-    fn one(&self, recipe: &Recipe, run: &(u64, Vec<String>), cancel: &CancelToken) -> Result<Row> {
-        let row = one(recipe, run, cancel).map_err(|e| match e {
+    fn one(&self, recipe: &Recipe, run: &(u64, Vec<String>), cache: &Cache, cancel: &CancelToken) -> Result<Row> {
+        let row = one(recipe, run, cache, cancel).map_err(|e| match e {
             Error::Interrupted => e,
             e => {
                 let values = self.over.iter().zip(&run.1).map(|(o, v)| format!(", {}={v}", o.key));
@@ -193,68 +197,30 @@ impl Sweep {
         }
         Ok(overrides)
     }
-
-    /// The rows as CSV.
-    pub fn table(&self, rows: &[Row]) -> String {
-        let quote = |text: &str| {
-            if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into() }
-        };
-        let keys: Vec<String> = self.over.iter().map(|o| quote(&o.key)).collect();
-        let mut table = ["seed".to_string()].into_iter().chain(keys).collect::<Vec<_>>().join(",");
-        table += ",min_m,mean_m,max_m,median_slope,max_slope,hypsometric_integral,concavity,lakes,steps,time_yr,stopped,residual\n";
-        for row in rows {
-            let values: Vec<String> = row.values.iter().map(|v| quote(v)).collect();
-            let head = [row.seed.to_string()].into_iter().chain(values).collect::<Vec<_>>().join(",");
-            let s = &row.summary;
-            let number = |v: f64| if v.is_finite() { format!("{v:.6}") } else { String::new() };
-            // Text in memory cannot fail to be written.
-            let _ = write!(
-                table,
-                "{head},{:.4},{:.4},{:.4},{:.6},{:.6},{},{},{}",
-                s.min,
-                s.mean,
-                s.max,
-                s.median_slope,
-                s.max_slope,
-                number(row.hypsometry.integral),
-                number(row.slope_area.concavity),
-                s.lakes
-            );
-            let _ = match &row.outcome {
-                Some(o) => {
-                    let residual = o.residual.map_or(String::new(), |r| format!("{r:.3e}"));
-                    writeln!(table, ",{},{:.6e},{},{residual}", o.steps, o.time / YEAR, word(o.stopped))
-                }
-                None => writeln!(table, ",,,,"),
-            };
-        }
-        table
-    }
 }
 
-/// Why a run stopped, in a word.
-fn word(stopped: Stopped) -> &'static str {
-    match stopped {
-        Stopped::EndTime => "end of time",
-        Stopped::MaxSteps => "most steps",
-        Stopped::Steady => "steady",
-        Stopped::Cancelled => "interrupted",
-        Stopped::ByObserver => "by observer",
-        Stopped::AtRest => "at rest",
-    }
-}
-
-fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cancel: &CancelToken) -> Result<Row> {
+fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cache: &Cache, cancel: &CancelToken) -> Result<Row> {
     let started = Instant::now();
-    let options = Options { cancel: cancel.clone(), quiet: true, ..Options::default() };
-    let Ran::ToTheEnd(terrain, history) = recipe.run(&mut MemoryOutput::default(), &options)? else {
+    let options = Options { cache: Some(cache), cancel: cancel.clone(), tells: Tells::Measures, ..Options::default() };
+    let mut told = MemoryOutput::default();
+    let Ran::ToTheEnd(terrain, history) = recipe.run(&mut told, &options)? else {
         return Err(Error::Interrupted);
     };
     let seconds = started.elapsed().as_secs_f64();
     let Measured { summary, hypsometry, slope_area, .. } = terrain.visit(Summing)?;
     let outcome = history.iter().rev().find_map(|e| e.outcome);
-    let terrain = Some(terrain);
-    Ok(Row { seed: *seed, values: values.clone(), outcome, summary, hypsometry, slope_area, seconds, terrain })
+    let (terrain, measures) = (Some(terrain), recipe.numbers(&told));
+    Ok(Row {
+        measures,
+        seed: *seed,
+        values: values.clone(),
+        outcome,
+        summary,
+        hypsometry,
+        slope_area,
+        seconds,
+        terrain,
+    })
 }
 
 /// The numbers of a run's end.

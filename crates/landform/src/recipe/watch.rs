@@ -6,11 +6,11 @@ use std::ops::ControlFlow;
 
 use landform_core::algo::outlets::at_or_under;
 use landform_core::analysis::{Summary, summary};
-use landform_core::grid::{BASE_LEVEL, Domain};
+use landform_core::grid::{Domain, Status};
 use landform_core::sim::{Every, View};
 use landform_core::terrain::{AnyTerrain, NodeSurface, Surface, Visit};
 use landform_core::units::{Duration, YEAR};
-use landform_core::verb::{Output, Params, relative_path};
+use landform_core::verb::{Output, Params, file_path};
 use landform_core::{Error, Result};
 use landform_io::export::{ViewKind, WritePicture};
 use landform_io::format::{animation_extension, encode_animation, encode_png};
@@ -79,7 +79,7 @@ impl Watch {
 
     pub(super) fn check(&self) -> Result<()> {
         for (key, path) in self.paths() {
-            relative_path(path)
+            file_path(path)
                 .map_err(|_| Error::parameter(key, format!("\"{path}\""), "a file name, below the output folder"))?;
         }
         if let Some(path) = &self.table
@@ -225,7 +225,7 @@ impl<'a> Watcher<'a> {
 /// The terrain with water at 0 m as outlets, where nothing else is one: while rivers end at a sea that comes and goes, no node is held. Only
 /// then a copy is made.
 fn ashore<T: Surface>(terrain: &T) -> Cow<'_, T> {
-    if terrain.domain().status().contains(&BASE_LEVEL) {
+    if terrain.domain().status().contains(&Status::BaseLevel) {
         return Cow::Borrowed(terrain);
     }
     let mut copy = terrain.clone();

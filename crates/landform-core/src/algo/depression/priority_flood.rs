@@ -6,7 +6,7 @@
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
-use crate::grid::{BASE_LEVEL, Domain, MASKED};
+use crate::grid::{Domain, Status};
 
 /// The level to which each node must be filled so that water reaches a base level. NaN on masked nodes; nodes that no base
 /// level can be reached from keep their elevation.
@@ -18,14 +18,14 @@ pub fn flood_levels<D: Domain>(domain: &D, elevation: &[f64]) -> Vec<f64> {
     let mut closed = vec![false; level.len()];
     let mut heap = BinaryHeap::new();
     let mut lake = VecDeque::new();
-    for i in (0..level.len()).filter(|&i| status[i] == BASE_LEVEL) {
+    for i in (0..level.len()).filter(|&i| status[i] == Status::BaseLevel) {
         heap.push(Reverse((Ordered(level[i]), i)));
         closed[i] = true;
     }
     while let Some(i) = lake.pop_front().or_else(|| heap.pop().map(|Reverse((_, i))| i)) {
         for link in domain.neighbours(i) {
             let j = link.to;
-            if status[j] == MASKED || std::mem::replace(&mut closed[j], true) {
+            if status[j] == Status::Masked || std::mem::replace(&mut closed[j], true) {
                 continue;
             }
             if level[j] <= level[i] {

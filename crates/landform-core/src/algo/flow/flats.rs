@@ -10,7 +10,7 @@
 //! Garbrecht & Martz (1997); Barnes, Lehman & Mulla (2014b), which weighs the two gradients 2 : 1.
 
 use super::pits::without_receiver;
-use crate::grid::{BASE_LEVEL, Domain, NO_SLOT};
+use crate::grid::{Domain, NO_SLOT, Status};
 
 /// The surface with its flats tilted, by a few units of the last place; none if there are none. **Cost** O(n).
 pub fn tilt_flats<D: Domain>(domain: &D, elevation: &[f64]) -> Option<Vec<f64>> {
@@ -32,7 +32,7 @@ pub(super) fn tilt<D: Domain>(domain: &D, elevation: &[f64], slot: &[u8]) -> Opt
     level.iter().for_each(|&i| is_level[i] = true);
     let joined = |i: usize, j: usize| is_level[j] && elevation[i] == elevation[j];
     let rises = |i: &usize| domain.neighbours(*i).any(|l| elevation[l.to] > elevation[*i]);
-    let drains = |i: &usize| equals(*i).any(|j| slot[j] != NO_SLOT || domain.status()[j] == BASE_LEVEL);
+    let drains = |i: &usize| equals(*i).any(|j| slot[j] != NO_SLOT || domain.status()[j] == Status::BaseLevel);
     let (mut to_rise, mut to_drain) = (vec![0; elevation.len()], vec![0; elevation.len()]);
     spread_steps(domain, joined, level.iter().copied().filter(rises), &mut to_rise);
     spread_steps(domain, joined, level.iter().copied().filter(drains), &mut to_drain);

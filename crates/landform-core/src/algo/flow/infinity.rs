@@ -12,7 +12,7 @@
 //! Tarboton (1997). Validation notes 2.14; written here for cells that need not be square.
 
 use super::Flow;
-use crate::grid::{Domain, Grid, INTERIOR, RasterDomain};
+use crate::grid::{Domain, Grid, Neighbours, RasterDomain, Status};
 use crate::{math, parallel};
 
 /// Where water runs from a node: the slots of a cardinal neighbour and of the diagonal one beside it, and what part goes to the latter.
@@ -71,13 +71,9 @@ impl Flow {
     pub fn accumulate_infinity(&self, domain: &RasterDomain, grid: &Grid, elevation: &[f64], amount: &mut [f64]) {
         let level = self.water_level(elevation);
         let status = domain.status();
-        let directions: Vec<Option<Direction>> =
-            parallel::map(
-                level.len(),
-                |i| {
-                    if status[i] == INTERIOR { direction(domain, grid, &level, i) } else { None }
-                },
-            );
+        let directions: Vec<Option<Direction>> = parallel::map(level.len(), |i| {
+            if status[i] == Status::Interior { direction(domain, grid, &level, i) } else { None }
+        });
         for &i in &self.highest_first(&level) {
             let i = i as usize;
             let r = self.receiver[i] as usize;

@@ -23,6 +23,23 @@
 //!
 //! # Checked by
 //! `tests`: every node drains, area is conserved, levels equal Priority-Flood exactly, numbering and threads do not matter.
+//!
+//! # Example
+//! On a ramp that falls to the east each row drains along itself:
+//!
+//! ```
+//! use landform_core::algo::flow::{Flow, node_areas};
+//! use landform_core::grid::{Edge, Edges, Grid, RasterDomain, Shape};
+//!
+//! let mut grid = Grid::new(Shape::new(3, 4), [10.0, 10.0])?;
+//! grid.edges = Edges { east: Edge::Open, ..Edges::all(Edge::Closed) };
+//! let domain = RasterDomain::new(&grid, &[]);
+//! let (mut flow, mut area) = (Flow::new(), node_areas(&domain));
+//! flow.route(&domain, &[3.0, 2.0, 1.0, 0.0].repeat(3), &mut area);
+//! assert_eq!(flow.receivers()[4..8], [5, 6, 7, 7]);
+//! assert_eq!(area[4..8], [100.0, 200.0, 300.0, 400.0]);
+//! # Ok::<(), landform_core::Error>(())
+//! ```
 
 mod flats;
 mod infinity;
@@ -42,7 +59,7 @@ use strips::Strips;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::grid::{Domain, INTERIOR, MASKED, NO_SLOT};
+use crate::grid::{Domain, NO_SLOT, Status};
 use crate::parallel;
 
 /// Which of the lower neighbours receives a node's water.
@@ -163,11 +180,11 @@ impl Flow {
     }
 
     /// The number of each node's basin, from 1 in order of outlets' indices; 0 on masked nodes.
-    pub fn basins(&self, status: &[u8]) -> Vec<u32> {
+    pub fn basins(&self, status: &[Status]) -> Vec<u32> {
         let mut basin = vec![0; self.receiver.len()];
         let mut count = 0;
         for i in 0..basin.len() {
-            if self.receiver[i] as usize == i && status[i] != MASKED {
+            if self.receiver[i] as usize == i && status[i] != Status::Masked {
                 count += 1;
                 basin[i] = count;
             }
@@ -184,7 +201,7 @@ fn lowest_descent<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32]
         for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
             let node = first + k;
             (*r, *s) = (node as u32, NO_SLOT);
-            if status[node] == INTERIOR {
+            if status[node] == Status::Interior {
                 let mut lowest = elevation[node];
                 for link in domain.neighbours(node) {
                     if elevation[link.to] < lowest {
@@ -200,7 +217,7 @@ fn lowest_descent<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32]
 /// Area of every node, 0 where masked: what [`Flow::route`] turns into drainage area.
 pub fn node_areas<D: Domain>(domain: &D) -> Vec<f64> {
     let status = domain.status();
-    parallel::map(domain.len(), |i| if status[i] == MASKED { 0.0 } else { domain.area(i) })
+    parallel::map(domain.len(), |i| if status[i] == Status::Masked { 0.0 } else { domain.area(i) })
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@
 //! Everywhere nodes are compared by (elevation, index): flats have an order, and no two nodes are equal. So no cycle can
 //! arise: each link taken is the lowest way out of its own basin.
 
-use crate::grid::{Domain, INTERIOR, Link, NO_SLOT, is_below};
+use crate::grid::{Domain, Link, NO_SLOT, Status, is_below};
 use crate::parallel;
 
 const RUN: usize = 32;
@@ -56,7 +56,7 @@ pub(super) fn without_receiver<D: Domain>(domain: &D, slot: &[u8]) -> Vec<usize>
         for first in piece.clone().step_by(RUN) {
             let run = first..(first + RUN).min(piece.end);
             if slot[run.clone()].iter().fold(0, |most, &s| most.max(s)) == NO_SLOT {
-                found.extend(run.filter(|&i| slot[i] == NO_SLOT && status[i] == INTERIOR));
+                found.extend(run.filter(|&i| slot[i] == NO_SLOT && status[i] == Status::Interior));
             }
         }
         found

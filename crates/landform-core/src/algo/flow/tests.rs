@@ -1,7 +1,7 @@
 use super::*;
 use crate::algo::depression::flood_levels;
 use crate::algo::sampling::poisson_disk;
-use crate::grid::{BASE_LEVEL, Edge, Edges, Grid, RasterDomain, Shape};
+use crate::grid::{Edge, Edges, Grid, Neighbours, RasterDomain, Shape, Status};
 use crate::random::Seed;
 use crate::terrain::{Mesh, NodeSurface};
 
@@ -38,7 +38,7 @@ fn check_by<D: Domain>(descent: Descent, domain: &D, z: &[f64]) {
     for i in 0..z.len() {
         let r = flow.receivers()[i] as usize;
         if r == i {
-            assert_ne!(domain.status()[i], crate::grid::INTERIOR, "node {i} ends inside");
+            assert_ne!(domain.status()[i], crate::grid::Status::Interior, "node {i} ends inside");
             at_outlets += area[i];
         } else {
             assert_eq!(domain.neighbour(i, flow.slots()[i]), r);
@@ -126,7 +126,10 @@ fn a_hand_made_lake_spills_over_its_lowest_pass() {
     assert_eq!(flow.lakes(), 1);
     assert_eq!(flow.receivers()[12], 13);
     assert_eq!(flow.water_level(&z)[12], 3.0);
-    assert_eq!(area.iter().zip(domain.status()).filter(|(_, s)| **s == BASE_LEVEL).map(|(a, _)| a).sum::<f64>(), 25.0);
+    assert_eq!(
+        area.iter().zip(domain.status()).filter(|(_, s)| **s == Status::BaseLevel).map(|(a, _)| a).sum::<f64>(),
+        25.0
+    );
 }
 
 #[test]
@@ -225,7 +228,7 @@ fn infinity_area(n: usize, sink: bool, surface: impl Fn(f64, f64) -> f64) -> Vec
     let mut domain = RasterDomain::new(&grid, &[]);
     if sink {
         let mut status = domain.status().to_vec();
-        status[n * n / 2] = BASE_LEVEL;
+        status[n * n / 2] = Status::BaseLevel;
         domain.set_status(status);
     }
     let middle = (n / 2) as f64;
@@ -294,8 +297,8 @@ fn level_ground_gathers_its_water_in_the_middle() {
     let (rows, cols) = (41, 21);
     let z: Vec<f64> = (0..rows * cols).map(|i| ((i % cols) as f64 - 10.0).abs().max(5.0)).collect();
     let mut domain = raster(rows, cols, Edges::all(Edge::Closed));
-    let mut status = vec![INTERIOR; z.len()];
-    status[40 * cols + 5..40 * cols + 16].fill(BASE_LEVEL);
+    let mut status = vec![Status::Interior; z.len()];
+    status[40 * cols + 5..40 * cols + 16].fill(Status::BaseLevel);
     domain.set_status(status);
     let mut flow = Flow::new();
     let mut area = vec![1.0; z.len()];

@@ -1,4 +1,15 @@
 //! Coherent noise, sums of it, and surfaces of known statistics.
+//!
+//! ```
+//! use landform_core::algo::noise::self_affine;
+//! use landform_core::grid::Shape;
+//! use landform_core::random::Seed;
+//!
+//! let z = self_affine(Shape::new(33, 33), [10.0, 10.0], 0.8, Seed(1));
+//! let mean = z.iter().sum::<f64>() / z.len() as f64;
+//! let variance = z.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / z.len() as f64;
+//! assert!(mean.abs() < 1e-9 && (variance - 1.0).abs() < 1e-9);
+//! ```
 
 mod basis;
 mod faults;

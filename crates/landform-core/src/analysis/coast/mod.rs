@@ -64,6 +64,18 @@ pub struct Coast {
 }
 
 /// The coast at `level`, and its lines. **Cost** O(n + m log m) for m crossings.
+///
+/// ```
+/// use landform_core::analysis::coast;
+/// use landform_core::grid::{Grid, Shape};
+///
+/// let grid = Grid::new(Shape::new(5, 5), [10.0, 10.0])?;
+/// let z: Vec<f64> = (0..25).map(|i| if i == 12 { 5.0 } else { -5.0 }).collect();
+/// let (shore, lines) = coast(&grid, &z, 0.0);
+/// assert_eq!((shore.islands, lines.len()), (1, 1));
+/// assert!((shore.land_share - 0.04).abs() < 1e-12);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 pub fn coast(grid: &Grid, z: &[f64], level: f64) -> (Coast, Vec<Isoline>) {
     let lines = isolines(grid, z, level);
     let label = label_regions(grid.shape, |i| z[i] >= level, |_, _| true);

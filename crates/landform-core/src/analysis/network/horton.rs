@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::algo::network::strahler;
 use crate::analysis::Drainage;
-use crate::grid::{Domain, MASKED};
+use crate::grid::{Domain, Status};
 use crate::math;
 
 /// Orders and ratios.
@@ -34,7 +34,7 @@ pub struct Horton {
 /// Streams of all nodes that drain at least `least` m². **Cost** O(n).
 pub fn horton<D: Domain>(drainage: &Drainage<D>, least: f64) -> Horton {
     let status = drainage.domain.status();
-    let is_channel = |i: usize| drainage.area[i] >= least && status[i] != MASKED;
+    let is_channel = |i: usize| drainage.area[i] >= least && status[i] != Status::Masked;
     let order = strahler(&drainage.flow, is_channel);
     let mut streams: Vec<(usize, f64, f64)> = Vec::new();
     let mut magnitude = vec![0u32; order.len()];

@@ -16,7 +16,7 @@ pub use scaling::{NetworkScaling, NetworkSizes, network_scaling, scaling};
 pub use slope_area::{SlopeArea, slope_area, slope_area_of};
 
 use super::Drainage;
-use crate::grid::{Domain, MASKED};
+use crate::grid::{Domain, Status};
 
 /// What is told of a network.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,7 +46,7 @@ pub fn channel_area(greatest: f64, node: f64) -> f64 {
 pub fn network<D: Domain>(drainage: &Drainage<D>, z: &[f64]) -> Network {
     let area = &drainage.area;
     let status = drainage.domain.status();
-    let valid: Vec<u32> = (0..area.len() as u32).filter(|&i| status[i as usize] != MASKED).collect();
+    let valid: Vec<u32> = (0..area.len() as u32).filter(|&i| status[i as usize] != Status::Masked).collect();
     let ground: f64 = valid.iter().map(|&i| drainage.domain.area(i as usize)).sum();
     let node = ground / valid.len().max(1) as f64;
     drop(valid);

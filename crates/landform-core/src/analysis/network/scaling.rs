@@ -15,7 +15,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::Drainage;
-use crate::grid::{Domain, MASKED};
+use crate::grid::{Domain, Status};
 use crate::math;
 
 /// Exponents of a river network; NaN where there are too few nodes.
@@ -54,7 +54,7 @@ impl NetworkSizes {
                 length[r] = length[r].max(length[i] + domain.distance(i, flow.slots()[i]));
             }
         }
-        let valid = || (0..status.len()).filter(|&i| status[i] != MASKED);
+        let valid = || (0..status.len()).filter(|&i| status[i] != Status::Masked);
         let cell = valid().map(|i| domain.area(i)).sum::<f64>() / valid().count().max(1) as f64;
         Self {
             area: valid().map(|i| drainage.area[i] / cell).collect(),

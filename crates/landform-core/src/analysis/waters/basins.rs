@@ -5,7 +5,7 @@
 
 use super::{Drainage, Polygon, polygon};
 use crate::algo::outline::{label_regions, outlines};
-use crate::grid::{Domain, MASKED};
+use crate::grid::{Domain, Status};
 use crate::terrain::{HeightField, NodeSurface};
 
 /// Ground that drains through one outlet.
@@ -30,7 +30,7 @@ pub fn basins<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_area
     let of = drainage.flow.basins(status);
     let count = of.iter().copied().max().unwrap_or(0) as usize;
     // Cells at sea are outlets, not ground.
-    let ground = |i: usize| status[i] != MASKED && drainage.flow.receivers()[i] as usize != i;
+    let ground = |i: usize| status[i] != Status::Masked && drainage.flow.receivers()[i] as usize != i;
     let mut basins = vec![None; count];
     let cell = field.grid().cell_area();
     for i in (0..z.len()).filter(|&i| ground(i)) {

@@ -31,6 +31,18 @@ const SHALLOW: f64 = 0.01;
 
 /// The lakes of a raster that are somewhere deeper than `least_depth` (m) and cover at least `least_area` (m²), the largest
 /// first. **Cost** O(cells).
+///
+/// ```
+/// use landform_core::analysis::{Drainage, lakes};
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::HeightField;
+///
+/// let grid = Grid::new(Shape::new(3, 3), [10.0, 10.0])?;
+/// let hollow = HeightField::new(grid, vec![5.0, 5.0, 5.0, 5.0, 1.0, 3.0, 5.0, 5.0, 5.0])?;
+/// let found = lakes(&hollow, &Drainage::of(&hollow, None, 0.0), 0.0, 0.0);
+/// assert_eq!((found.len(), found[0].level, found[0].volume), (1, 3.0, 200.0));
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 pub fn lakes<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_depth: f64, least_area: f64) -> Vec<Lake> {
     let z = field.elevation();
     let known: Option<Vec<f64>> =

@@ -6,7 +6,7 @@
 
 use super::Drainage;
 use crate::algo::network::reaches;
-use crate::grid::{BASE_LEVEL, Domain};
+use crate::grid::{Domain, Neighbours, Status};
 use crate::math;
 use crate::terrain::NodeSurface;
 
@@ -89,7 +89,7 @@ pub fn rivers<T: NodeSurface>(
                 width_above: width_of(first),
                 depth: depth_of(last),
                 length,
-                leaves: reach.to.is_none() && status[end] == BASE_LEVEL,
+                leaves: reach.to.is_none() && status[end] == Status::BaseLevel,
                 points,
                 nodes: reach.nodes.clone(),
             }

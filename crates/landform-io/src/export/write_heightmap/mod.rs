@@ -6,7 +6,7 @@ use std::path::Path;
 
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, Interpolation, NodeSurface, resample};
-use landform_core::verb::{Export, Landscape, Output, Params, Source, relative_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -59,7 +59,7 @@ impl Params for WriteHeightmap {
     }
 
     fn check(&self) -> Result<()> {
-        relative_path(&self.path)?;
+        file_path(&self.path)?;
         let engine = self.engine();
         if !engine.extensions.contains(&self.extension().as_str()) {
             let expected =

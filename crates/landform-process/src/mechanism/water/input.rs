@@ -1,6 +1,6 @@
 //! What a round of runoff is given, and what waits for water that comes late.
 
-use landform_core::grid::{BASE_LEVEL, Domain, RasterDomain};
+use landform_core::grid::{Domain, RasterDomain, Status};
 
 use super::Supply;
 
@@ -15,7 +15,7 @@ impl RunoffInput<'_> {
     /// Whether water leaves here.
     #[inline]
     pub(super) fn is_end(&self, i: usize) -> bool {
-        self.domain.status()[i] == BASE_LEVEL || self.supply.sinks.get(i).copied().unwrap_or(false)
+        self.domain.status()[i] == Status::BaseLevel || self.supply.sinks.get(i).copied().unwrap_or(false)
     }
 }
 

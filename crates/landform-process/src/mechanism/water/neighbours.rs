@@ -1,6 +1,6 @@
 //! Per-node cache: the lowest neighbour, the drop to the second-lowest, and how many higher neighbours are still unrouted.
 
-use landform_core::grid::{Domain, RasterDomain, Shape};
+use landform_core::grid::{Neighbours, RasterDomain, Shape};
 use landform_core::parallel;
 
 /// A node's neighbours, in eight bytes.

@@ -13,7 +13,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use landform_core::algo::flow::{fall, spread_steps};
-use landform_core::grid::{Domain, RasterDomain};
+use landform_core::grid::{Neighbours, RasterDomain};
 
 /// No pool, or no node.
 pub(super) const DRY: u32 = u32::MAX;

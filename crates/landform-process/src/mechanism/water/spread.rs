@@ -4,7 +4,7 @@
 //! Pytel (2015), figure 4.11 for columns and listing 4.2 for averages. Columns are levelled in closed form: neighbours are raised in
 //! order of height until the water is used up, which is what the seed's steps of raising m sites to the level of the next come to.
 
-use landform_core::grid::{Domain, RasterDomain};
+use landform_core::grid::{Neighbours, RasterDomain};
 
 /// Differences of height that mean nothing, m: a power of two, so that heights are rounded exactly.
 pub(super) const GRAIN: f64 = 1.0 / (1 << 22) as f64;

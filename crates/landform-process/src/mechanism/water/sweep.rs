@@ -12,7 +12,7 @@
 use std::collections::{BTreeMap, BinaryHeap};
 
 use landform_core::algo::flow::tilt_flats;
-use landform_core::grid::{Domain, INTERIOR, MASKED, RasterDomain};
+use landform_core::grid::{Domain, Neighbours, RasterDomain, Status};
 use landform_core::parallel;
 
 use super::input::{OverflowEvent, RunoffInput};
@@ -77,7 +77,7 @@ impl Sweep {
         even.resize(ground.len(), 0.0);
         let status = domain.status();
         parallel::fill(&mut even, |i| {
-            if status[i] == MASKED { f64::NAN } else { (ground[i] / GRAIN).round_ties_even() * GRAIN }
+            if status[i] == Status::Masked { f64::NAN } else { (ground[i] / GRAIN).round_ties_even() * GRAIN }
         });
         if let Some(tilted) = tilt_flats(domain, &even) {
             even = tilted;
@@ -155,7 +155,7 @@ impl Sweep {
                 }
             }
             let is_pit = domain.neighbours(lowest).all(|l| !(ground[l.to] < ground[lowest]));
-            if is_pit && domain.status()[lowest] == INTERIOR {
+            if is_pit && domain.status()[lowest] == Status::Interior {
                 *held.entry(lowest as u32).or_insert(0.0) += volume;
             } else {
                 self.passed[lowest] += volume;

@@ -1,5 +1,5 @@
 use landform_core::algo::depression::flood_levels;
-use landform_core::grid::{Domain, Edge, Edges, Grid, INTERIOR, RasterDomain, Shape};
+use landform_core::grid::{Domain, Edge, Edges, Grid, Neighbours, RasterDomain, Shape, Status};
 use landform_core::math;
 use landform_core::random::Seed;
 
@@ -145,7 +145,7 @@ fn what_passes_adds_up_to_drainage_area_where_water_takes_one_way() {
     }
     // All that rains inside leaves over the border, in either.
     let out = |amount: &dyn Fn(usize) -> f64| {
-        (0..z.len()).filter(|&i| domain.status()[i] != INTERIOR).map(amount).sum::<f64>()
+        (0..z.len()).filter(|&i| domain.status()[i] != Status::Interior).map(amount).sum::<f64>()
     };
     let (a, b) = (out(&|i| sweep.passed()[i]), out(&|i| area[i] / 100.0));
     assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");

@@ -2,7 +2,7 @@
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
-use landform_core::grid::{Domain, Edge, Edges, Grid, INTERIOR, Shape, Side};
+use landform_core::grid::{Domain, Edge, Edges, Grid, Shape, Side, Status};
 use landform_core::math;
 use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop, Stopped};
@@ -144,7 +144,7 @@ fn one_endless_step_on_fixed_receivers_is_the_steady_state() {
     flow.route(&*domain, terrain.elevation(), &mut area);
     let dt = 1e6 * MYR;
     let mut z: Vec<f64> = (0..area.len())
-        .map(|i| terrain.elevation()[i] + if domain.status()[i] == INTERIOR { U / YEAR * dt } else { 0.0 })
+        .map(|i| terrain.elevation()[i] + if domain.status()[i] == Status::Interior { U / YEAR * dt } else { 0.0 })
         .collect();
     let law = law(0.5, 1.0).law(f64::NEG_INFINITY, dt);
     let k = Resolved::Uniform(K / YEAR);

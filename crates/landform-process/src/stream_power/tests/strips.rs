@@ -26,7 +26,10 @@ fn stepped(params: &StreamPower, strips: usize) -> Vec<f64> {
         };
         let status = terrain.domain().status().to_vec();
         terrain.change(Layer::Bedrock, |z| {
-            z.iter_mut().zip(&status).filter(|(_, s)| **s == INTERIOR).for_each(|(z, _)| *z += 1e-3 * dt / YEAR);
+            z.iter_mut()
+                .zip(&status)
+                .filter(|(_, s)| **s == Status::Interior)
+                .for_each(|(z, _)| *z += 1e-3 * dt / YEAR);
         });
         params.begin(&terrain, &mut state, &at).unwrap();
         params.step(&mut terrain, &mut state, &at).unwrap();

@@ -149,7 +149,7 @@ fn the_sea_moves_the_shore_and_rivers_end_at_it() {
     let still = slope("\"0 m\"", 0.0);
     let risen = slope(r#"{"times":["0 yr","300000 yr"],"values":["0 m","60 m"]}"#, 0.0);
     assert!(wet(&risen, 60.0) > wet(&still, 0.0) + 100, "{} {}", wet(&risen, 60.0), wet(&still, 0.0));
-    assert_eq!(still.domain().status().iter().filter(|s| **s == BASE_LEVEL).count(), wet(&still, 0.0));
+    assert_eq!(still.domain().status().iter().filter(|s| **s == Status::BaseLevel).count(), wet(&still, 0.0));
     // Under the sea nothing is worn off; on land nothing is cut below its level.
     let lifted = slope("\"0 m\"", 0.1);
     assert!(wet(&lifted, 0.0) < wet(&still, 0.0));

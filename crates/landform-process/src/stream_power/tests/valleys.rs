@@ -66,7 +66,7 @@ fn a_threshold_spares_what_is_gentle() {
         flow.route(&*domain, terrain.elevation(), &mut area);
         let z = terrain.elevation();
         let mut off: Vec<f64> = (0..z.len())
-            .filter(|&i| domain.status()[i] == INTERIOR)
+            .filter(|&i| domain.status()[i] == Status::Interior)
             .map(|i| {
                 let slope = (z[i] - z[flow.receivers()[i] as usize]) / domain.distance(i, flow.slots()[i]);
                 (area[i].sqrt() * math::pow(slope, n) / (theta + U / K) - 1.0).abs()

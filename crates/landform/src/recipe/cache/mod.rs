@@ -1,0 +1,135 @@
+//! Terrains after each stage, kept under a key of everything upstream: in memory, then on disk.
+
+mod disk;
+mod key;
+mod memory;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use landform_core::verb::Event;
+use landform_core::{Error, Result};
+
+use super::AnyTerrain;
+use disk::Disk;
+pub use disk::Kept;
+pub(super) use key::{input_paths, key};
+use memory::Memory;
+
+/// Terrains after each stage, kept between runs. What was used least recently goes first, in memory and on disk.
+///
+/// ```
+/// use landform::core::verb::MemoryOutput;
+/// use landform::recipe::{Cache, Options, Recipe, Signal};
+/// use std::sync::atomic::{AtomicU32, Ordering};
+/// let text = "[[stage]]\nuse = \"flat\"\ngrid = { size = [\"1 km\", \"1 km\"], cell_size = \"100 m\" }";
+/// let recipe = Recipe::parse(text, "plain", "".as_ref(), &[])?;
+/// let (cache, hits) = (Cache::in_memory(1 << 20), AtomicU32::new(0));
+/// let progress = |signal| {
+///     if let Signal::Stage { cached: true, .. } = signal {
+///         hits.fetch_add(1, Ordering::Relaxed);
+///     }
+/// };
+/// for _ in 0..3 {
+///     let options = Options { cache: Some(&cache), progress: &progress, ..Options::default() };
+///     recipe.run(&mut MemoryOutput::default(), &options)?;
+/// }
+/// assert_eq!(hits.into_inner(), 2);
+/// # Ok::<(), landform::core::Error>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Cache {
+    memory: Memory,
+    disk: Option<Disk>,
+}
+
+/// Bytes that a cache on disk has at most, if nobody says otherwise.
+pub const CACHE_LIMIT: u64 = 4 << 30;
+
+impl Cache {
+    /// A cache in memory alone, of so many bytes.
+    pub fn in_memory(bytes: u64) -> Self {
+        Self { memory: Memory::of(bytes), disk: None }
+    }
+
+    /// A cache in a folder, of at most [`CACHE_LIMIT`] bytes.
+    pub fn on_disk(folder: &Path) -> Self {
+        Self { memory: Memory::default(), disk: Some(Disk::new(folder, CACHE_LIMIT)) }
+    }
+
+    /// So many bytes in memory before those on disk.
+    #[must_use]
+    pub fn with_memory(self, bytes: u64) -> Self {
+        Self { memory: Memory::of(bytes), ..self }
+    }
+
+    /// At most so many bytes on disk.
+    #[must_use]
+    pub fn with_limit(mut self, bytes: u64) -> Self {
+        self.disk = self.disk.map(|disk| disk.with_limit(bytes));
+        self
+    }
+
+    /// What is on disk, the most recently used first.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if the folder cannot be read.
+    pub fn kept(&self) -> Result<Vec<Kept>> {
+        self.disk.as_ref().map_or(Ok(Vec::new()), Disk::kept)
+    }
+
+    /// Forgets everything; tells how many bytes became free on disk.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if a file cannot be removed.
+    pub fn clear(&self) -> Result<u64> {
+        self.memory.clear();
+        self.disk.as_ref().map_or(Ok(0), Disk::clear)
+    }
+
+    /// Removes what was used least recently, down to the limit; tells how many bytes became free on disk.
+    pub fn trim(&self) -> u64 {
+        self.disk.as_ref().map_or(0, Disk::trim)
+    }
+
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.memory.find(key).is_some() || self.disk.as_ref().is_some_and(|disk| disk.has(key))
+    }
+
+    /// What made the terrain of a key.
+    pub(super) fn event(&self, key: &str) -> Result<Event> {
+        match (self.memory.find(key), &self.disk) {
+            (Some((_, event)), _) => Ok(event),
+            (None, Some(disk)) => disk.event(key),
+            (None, None) => Err(missing()),
+        }
+    }
+
+    /// The terrain of a key.
+    pub(super) fn terrain(&self, key: &str) -> Result<Arc<AnyTerrain>> {
+        match (self.memory.find(key), &self.disk) {
+            (Some((terrain, _)), _) => Ok(terrain),
+            (None, Some(disk)) => {
+                let terrain = Arc::new(disk.terrain(key)?);
+                self.memory.keep(key, &terrain, &disk.event(key)?);
+                Ok(terrain)
+            }
+            (None, None) => Err(missing()),
+        }
+    }
+
+    /// Forgets a key, whose files turned out to be damaged.
+    pub(super) fn forget(&self, key: &str) {
+        self.memory.forget(key);
+        self.disk.iter().for_each(|disk| disk.forget(key));
+    }
+
+    pub(super) fn store(&self, key: &str, terrain: &Arc<AnyTerrain>, event: &Event) -> Result<()> {
+        self.memory.keep(key, terrain, event);
+        self.disk.as_ref().map_or(Ok(()), |disk| disk.store(key, terrain, event))
+    }
+}
+
+fn missing() -> Error {
+    Error::Empty { what: "the cache".into() }
+}
