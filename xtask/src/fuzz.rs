@@ -20,7 +20,7 @@ pub(crate) fn run(seconds: f64) -> bool {
     for format in RASTER_FORMATS {
         let seeds = seeds(format.write);
         fine &= hammer(format.name, &seeds, seconds, Seed(clock), |bytes| {
-            (format.read)(bytes, None).ok();
+            format.read(bytes, None).ok();
         });
     }
     let pictures = seeds_of("PNG");

@@ -28,12 +28,12 @@ pub(crate) struct Args {
     #[arg(long)]
     maps: Option<PathBuf>,
     /// Level of the sea, such as "0 m": ground at or under it is left out of all but the coast.
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     sea_level: Option<String>,
-    /// Coasts: the least step of the divider, such as "4 km"; twice the mean distance of points if not given.
+    /// Coasts: the least step of the divider, such as "4 km". If not given, it is twice the mean distance of points.
     #[arg(long)]
     step_from: Option<String>,
-    /// Coasts: the greatest step of the divider; a quarter of the extent if not given.
+    /// Coasts: the greatest step of the divider. If not given, it is a quarter of the extent.
     #[arg(long)]
     step_to: Option<String>,
     #[command(flatten)]

@@ -16,10 +16,10 @@ pub(crate) struct Args {
     /// Output folder of the runs.
     #[arg(default_value = "out")]
     output: PathBuf,
-    /// Removes all of it.
+    /// Removes all terrains.
     #[arg(long)]
     clear: bool,
-    /// Removes what was used least recently, down to this size.
+    /// Removes the least recently used terrains, down to this size.
     #[arg(long, value_name = "SIZE", conflicts_with = "clear")]
     limit: Option<Size>,
 }

@@ -16,7 +16,7 @@ use crate::show_error::{Failure, about};
 pub(crate) struct Args {
     /// The recipe.
     recipe: PathBuf,
-    /// Output folder whose cache is looked into.
+    /// Output folder whose cache is searched.
     #[arg(short, long)]
     output: Option<PathBuf>,
     /// Sets a key: LABEL_OR_STAGE.key=value.
@@ -24,15 +24,19 @@ pub(crate) struct Args {
     set: Vec<String>,
     #[command(flatten)]
     part: Part,
+    /// As in `run`: lets stages write outside of the output folder.
+    #[arg(long)]
+    allow_outside: bool,
 }
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let overrides = args.set.iter().map(|s| Override::parse(s)).collect::<Result<Vec<_>>>()?;
-    let recipe = args.part.of(Recipe::load(&args.recipe, &overrides)).map_err(about(&args.recipe))?;
+    let mut recipe = args.part.of(Recipe::load(&args.recipe, &overrides)).map_err(about(&args.recipe))?;
+    recipe.allow_outside = args.allow_outside;
     let cache = args.output.as_ref().map(|o| Cache::on_disk(&o.join(".landform/cache")));
     let plan = recipe.plan(cache.as_ref(), &salt()).map_err(about(&args.recipe))?;
     say!("{} (seed {})", recipe.title, recipe.seed);
-    recipe.notes.iter().for_each(|note| say!("note: {note}"));
+    recipe.notes.iter().chain(&recipe.file_notes()).for_each(|note| say!("note: {note}"));
     print_plan(&plan);
     let free = memory::available().map(|m| format!(" of {} free", bytes_text(m))).unwrap_or_default();
     say!("memory: about {}{free}", bytes_text(plan.bytes));

@@ -18,7 +18,7 @@ use crate::show_error::Failure;
 pub(crate) struct Args {
     /// The landscape before.
     a: PathBuf,
-    /// The landscape after; on another raster of the same place it is brought to A's.
+    /// The landscape after. If its raster is another one of the same place, it is resampled to A's.
     b: PathBuf,
     /// Writes the comparison: one HTML file that opens offline.
     #[arg(long)]
@@ -30,7 +30,7 @@ pub(crate) struct Args {
     #[arg(long)]
     map: Option<PathBuf>,
     /// Level of the sea: ground at or under it is left out of what is measured of each.
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     sea_level: Option<String>,
     #[command(flatten)]
     scale: Scale,
@@ -44,8 +44,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         return Err(Error::parameter("map", format!("\"{}\"", map.display()), "a name that ends with .png").into());
     }
     let (a, b) = (ground::load(&args.a, &args.scale)?, ground::load(&args.b, &args.scale)?);
-    for note in &a.notes {
-        say!("note: {note}");
+    for (name, ground) in [("A", &a), ("B", &b)] {
+        for note in &ground.notes {
+            say!("note: {name}: {note}");
+        }
     }
     let (a, b) = onto(a, b, args.scale.is_given())?;
     let names = [ground::name(&args.a), ground::name(&args.b)];

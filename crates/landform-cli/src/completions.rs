@@ -9,7 +9,7 @@ use crate::show_error::Failure;
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Shell that shall complete commands.
+    /// Shell for which completions are printed.
     shell: Shell,
 }
 

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use landform::core::terrain::NodeSurface;
 use landform::io::files::write_whole;
 use landform::io::format::{
-    RasterFile, load_raster, mesh_file_from_height_field, mesh_format, raster_format, sidecar_path,
+    DataType, RasterFile, Reading, mesh_file_from_height_field, mesh_format, raster_format, read_raster, sidecar_path,
 };
 
 use crate::show_error::Failure;
@@ -15,7 +15,7 @@ use crate::show_error::Failure;
 pub(crate) struct Args {
     /// Raster to read.
     input: PathBuf,
-    /// Raster or mesh (glb, obj, ply, stl) to write; the extension says which.
+    /// Raster or mesh (glb, obj, ply, stl) to write; the extension sets the format.
     output: PathBuf,
 }
 
@@ -26,12 +26,24 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         let hint = "for a mesh: glb, obj, ply, stl".to_string();
         return Err(landform::core::Error::Recipe { at: None, what: unknown.to_string(), hint: Some(hint) }.into());
     }
-    let terrain = load_raster(&args.input)?;
+    let Reading { field: terrain, notes } = read_raster(&args.input)?;
+    for note in &notes {
+        say!("note: {note}");
+    }
     if let Ok(format) = mesh {
-        write_whole(&args.output, &(format.write)(&mesh_file_from_height_field(&terrain))?)?;
+        let file = mesh_file_from_height_field(&terrain);
+        if file.triangles.is_empty() {
+            return Err(
+                landform::core::Error::Empty { what: "the surface: it is nowhere two nodes wide".into() }.into()
+            );
+        }
+        write_whole(&args.output, &(format.write)(&file)?)?;
     } else {
         let format = raster?;
-        let file = RasterFile::real(terrain.grid(), terrain.elevation(), "elevation", "m", 0);
+        let mut file = RasterFile::real(terrain.grid(), terrain.elevation(), "elevation", "m", 0);
+        if file.needs_float64() {
+            file.geotiff.data_type = DataType::Float64;
+        }
         write_whole(&args.output, &(format.write)(&file)?)?;
         if let Some(sidecar) = format.sidecar(&file) {
             let beside = sidecar_path(&args.output.display().to_string());

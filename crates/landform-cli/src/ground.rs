@@ -6,22 +6,25 @@ use landform::core::grid::{Edges, Grid};
 use landform::core::terrain::{HeightField, Interpolation, Layer, NodeSurface, resample};
 use landform::core::units::Length;
 use landform::core::{Error, Result};
-use landform::io::format::load_raster;
-use landform::io::import::{in_degrees, metres_from_degrees};
+use landform::io::format::{Reading, UNPLACED, read_raster};
+use landform::io::import::{in_degrees, mercator_stretch, metres_from_degrees, stretch_text};
+
+/// Units of web maps that are longer than metres by less than this are metres.
+const MOST_STRETCH: f64 = 1.001;
 
 /// How elevations without a scale are taken.
 #[derive(clap::Args)]
 pub(crate) struct Scale {
-    /// Distance between samples, such as "30 m", whatever the file says (a picture says nothing).
+    /// Distance between samples, such as "30 m", instead of the file's own (a picture has none).
     #[arg(long)]
     cell_size: Option<String>,
-    /// Height from the lowest to the highest sample, such as "1200 m", whatever the file says.
+    /// Height from the lowest to the highest sample, such as "1200 m", instead of the file's own.
     #[arg(long)]
     relief: Option<String>,
 }
 
 impl Scale {
-    /// Whether anything was said.
+    /// Whether any scale is given.
     pub(crate) fn is_given(&self) -> bool {
         self.cell_size.is_some() || self.relief.is_some()
     }
@@ -31,7 +34,7 @@ impl Scale {
 pub(crate) struct Ground {
     /// The ground.
     pub(crate) field: HeightField,
-    /// What a reader of the numbers should know.
+    /// Notes to the reader of the numbers.
     pub(crate) notes: Vec<String>,
     /// The raster as the file has it.
     pub(crate) grid: Grid,
@@ -39,14 +42,14 @@ pub(crate) struct Ground {
 
 /// A file in metres.
 pub(crate) fn load(path: &Path, scale: &Scale) -> Result<Ground> {
-    let mut field = load_raster(path)?;
+    let Reading { mut field, mut notes } = read_raster(path)?;
     let grid = field.grid().clone();
-    let mut notes = Vec::new();
     if let Some(text) = &scale.cell_size {
         let cell = positive("cell_size", text)?;
         let mut square = Grid { spacing: [cell, cell], georeference: Default::default(), ..field.grid().clone() };
         square.origin = [0.0, square.extent()[1]];
         field.set_grid(square)?;
+        notes.retain(|note| note != UNPLACED);
     } else if in_degrees(&field) {
         let error = metres_from_degrees(&mut field)?;
         let [dx, dy] = field.grid().spacing;
@@ -59,6 +62,9 @@ pub(crate) fn load(path: &Path, scale: &Scale) -> Result<Ground> {
             field = resample(&field, &field.grid().with_cell_size(side)?, Interpolation::Linear)?;
             notes.push(format!("brought to square cells of {side:.2} m, as those that the natural ranges were measured on (slopes fall by 1 to 4 %)"));
         }
+    }
+    if let Some(stretch) = mercator_stretch(&field).filter(|s| *s > MOST_STRETCH) {
+        notes.push(format!("it is in EPSG:3857, {}; warp it to UTM first", stretch_text(stretch)));
     }
     if let Some(text) = &scale.relief {
         stretch(&mut field, positive("relief", text)?);

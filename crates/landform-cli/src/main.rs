@@ -2,14 +2,24 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command line speaks")]
 
-/// Prints a line; ends quietly when nobody listens any more (`landform stages | head`).
+/// Prints a line to standard error; a run goes on when that is closed.
+macro_rules! complain {
+    ($($arg:tt)*) => {{
+        use std::io::Write;
+        writeln!(std::io::stderr(), $($arg)*).ok();
+    }};
+}
+
+/// Prints a line; ends quietly when the output is closed (`landform stages | head`), with an error when it cannot be written.
 macro_rules! say {
     ($($arg:tt)*) => {{
         use std::io::Write;
-        if let Err(e) = writeln!(std::io::stdout(), $($arg)*)
-            && e.kind() == std::io::ErrorKind::BrokenPipe
-        {
-            std::process::exit(0);
+        if let Err(e) = writeln!(std::io::stdout(), $($arg)*) {
+            if e.kind() == std::io::ErrorKind::BrokenPipe {
+                std::process::exit(0);
+            }
+            complain!("error: cannot write to standard output: {e}");
+            std::process::exit(1);
         }
     }};
 }
@@ -69,7 +79,7 @@ enum Command {
     Cite(cite::Args),
     /// Measures an elevation file: report card, report, numbers, maps. Also the dimension of coasts (GeoJSON).
     Analyze(analyze::Args),
-    /// Compares two elevation files: what is gone, what was added, and all measures side by side.
+    /// Compares two elevation files: volumes removed and added, and all measures side by side.
     Compare(compare::Args),
     /// Draws an elevation file.
     Render(render::Args),
@@ -77,7 +87,7 @@ enum Command {
     Convert(convert::Args),
     /// Shows or clears the terrains that runs have kept in an output folder.
     Cache(cache::Args),
-    /// Prints what a shell needs to complete commands.
+    /// Prints completions for a shell.
     Completions(completions::Args),
     /// Writes man pages into a folder.
     Man(man::Args),

@@ -10,7 +10,7 @@ use crate::show_error::Failure;
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Folder of the pages, `man/man1` for one; it is made where it is missing.
+    /// Folder of the pages, such as `man/man1`; it is created if it does not exist.
     folder: PathBuf,
 }
 

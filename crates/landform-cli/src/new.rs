@@ -12,7 +12,7 @@ use crate::show_error::Failure;
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Which recipe; without it, all are listed.
+    /// Name of the recipe; without it, all are listed.
     name: Option<String>,
     /// File to write; NAME.toml if not given.
     #[arg(short, long)]

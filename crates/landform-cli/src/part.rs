@@ -1,4 +1,4 @@
-//! How much of a recipe is wanted: coarser, or a window.
+//! Parts of a recipe: coarser cells, or a window.
 
 use landform::core::units::Length;
 use landform::core::{Error, Result};
@@ -6,7 +6,7 @@ use landform::recipe::Recipe;
 
 #[derive(clap::Args)]
 pub(crate) struct Part {
-    /// Share of the resolution, for a preview: 1/2, 1/4, ... 1/64. Extents, rates and times stay.
+    /// Share of the resolution, for a preview: 1/2, 1/4, ... 1/64. Extents, rates and times do not change.
     #[arg(long, value_name = "1/N")]
     level: Option<String>,
     /// Builds this window only, in metres or with units; for recipes whose stages do not need the whole ground.

@@ -79,7 +79,7 @@ impl Reporter {
                 for file in files {
                     tell(&file.display());
                 }
-                eprintln!("done in {seconds:.1} s");
+                complain!("done in {seconds:.1} s");
             }
         }
     }
@@ -115,7 +115,14 @@ fn outcome_line(o: &Outcome) -> String {
         Stopped::AtRest => "at rest",
     };
     let residual = o.residual.map(|r| format!(", residual {r:.2e}")).unwrap_or_default();
-    format!("{why} after {} steps, {}{residual}; mass closes to {:.0e}", o.steps, years(o.time), o.budget.imbalance())
+    let exported = o.budget.change.exported;
+    let gone = if exported > 0.0 { format!("; {exported:.3e} m3 left the map") } else { String::new() };
+    format!(
+        "{why} after {} steps, {}{residual}; mass closes to {:.0e}{gone}",
+        o.steps,
+        years(o.time),
+        o.budget.imbalance()
+    )
 }
 
 fn bar(state: &mut State, signal: &Signal) {
@@ -124,7 +131,7 @@ fn bar(state: &mut State, signal: &Signal) {
             if let Some(bar) = state.bar.take() {
                 bar.finish_and_clear();
             }
-            eprintln!("{}", stage_line(*index, *of, name, *cached));
+            complain!("{}", stage_line(*index, *of, name, *cached));
             let bar = ProgressBar::new(1000);
             if let Ok(style) = ProgressStyle::with_template("  {bar:32} {percent:>3} %  {msg}  {elapsed} (left {eta})")
             {
@@ -146,26 +153,26 @@ fn bar(state: &mut State, signal: &Signal) {
 
 fn say(state: &State, text: &str) {
     match &state.bar {
-        Some(bar) => bar.suspend(|| eprintln!("{text}")),
-        None => eprintln!("{text}"),
+        Some(bar) => bar.suspend(|| complain!("{text}")),
+        None => complain!("{text}"),
     }
 }
 
 fn plain(state: &mut State, signal: &Signal) {
     match signal {
         Signal::Stage { index, of, name, cached } => {
-            eprintln!("{}", stage_line(*index, *of, name, *cached));
+            complain!("{}", stage_line(*index, *of, name, *cached));
             state.last = Instant::now();
         }
         Signal::Step { steps, time, part, residual } => {
             if state.last.elapsed().as_secs_f64() >= PLAIN_EVERY {
                 state.last = Instant::now();
                 let part = part.map(|p| format!("{:>3.0} %, ", p.clamp(0.0, 1.0) * 100.0)).unwrap_or_default();
-                eprintln!("  {part}{}", step_line(*steps, *time, *residual));
+                complain!("  {part}{}", step_line(*steps, *time, *residual));
             }
         }
-        Signal::Outcome(o) => eprintln!("  {}", outcome_line(o)),
-        Signal::Note(text) => eprintln!("note: {text}"),
+        Signal::Outcome(o) => complain!("  {}", outcome_line(o)),
+        Signal::Note(text) => complain!("note: {text}"),
     }
 }
 
@@ -191,7 +198,7 @@ fn as_json(state: &mut State, signal: &Signal) {
     tell(&line);
 }
 
-/// Prints a line; a run goes on even if nobody listens any more.
+/// Prints a line; a run goes on even if the output is closed.
 fn tell(line: &dyn std::fmt::Display) {
     use std::io::Write;
     writeln!(std::io::stdout(), "{line}").ok();

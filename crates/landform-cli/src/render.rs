@@ -7,7 +7,7 @@ use landform::core::units::Angle;
 use landform::core::verb::Params;
 use landform::io::export::{ViewKind, WritePicture};
 use landform::io::files::write_whole;
-use landform::io::format::{encode_png, load_raster};
+use landform::io::format::{Reading, encode_png, read_raster};
 
 use crate::show_error::Failure;
 
@@ -17,22 +17,22 @@ pub(crate) struct Args {
     input: PathBuf,
     /// Picture to write (.png).
     output: PathBuf,
-    /// What is drawn.
+    /// View that is drawn.
     #[arg(long, value_enum, default_value_t = Kind::Perspective)]
     view: Kind,
-    /// Longer side, pixels.
+    /// Length of the longer side, pixels.
     #[arg(long, default_value_t = 1600)]
     size: usize,
     /// Compass direction from which the camera looks, such as "200 deg".
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     from: Option<String>,
     /// Angle by which the camera looks down, such as "28 deg".
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     tilt: Option<String>,
     /// Factor on elevations.
     #[arg(long, default_value_t = 1.0)]
     exaggeration: f64,
-    /// 1 frames the whole block; more comes closer.
+    /// Zoom factor: with 1 the whole block is in view; larger values come closer.
     #[arg(long, default_value_t = 1.0)]
     zoom: f64,
 }
@@ -62,7 +62,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         ..defaults
     };
     picture.validate()?;
-    let terrain = load_raster(&args.input)?;
+    let Reading { field: terrain, notes } = read_raster(&args.input)?;
+    for note in &notes {
+        say!("note: {note}");
+    }
     let drawn = picture.draw(&terrain)?;
     write_whole(&args.output, &encode_png(&drawn.pixels, drawn.shape)?)?;
     say!("{}", args.output.display());

@@ -42,24 +42,24 @@ pub(crate) struct Args {
     /// Runs even if the memory seems too small.
     #[arg(long)]
     force: bool,
-    /// Runs every stage anew and keeps none.
+    /// Runs every stage anew, and keeps no terrain in the cache.
     #[arg(long)]
     no_cache: bool,
-    /// Terrains of earlier stages take at most so much of the disk; the least recently used go first.
+    /// Greatest size on disk of the terrains of earlier stages; the least recently used are removed first.
     #[arg(long, value_name = "SIZE", default_value = "4 GiB")]
     cache_limit: Size,
     /// How progress is shown.
     #[arg(long, value_enum, default_value_t = Style::Auto)]
     progress: Style,
-    /// Lets stages write outside of the output folder: by `..`, absolute paths or links.
+    /// Lets stages write outside the output folder: by `..`, absolute paths or links.
     #[arg(long)]
     allow_outside: bool,
-    /// Says nothing but errors.
+    /// Prints errors only.
     #[arg(short, long)]
     quiet: bool,
 }
 
-/// What tells one build of this program from another, so that a cache of an older build is not trusted.
+/// Text that differs between builds of this program, so that the cache of an older build is not used.
 pub(crate) fn salt() -> String {
     let meta = std::env::current_exe().and_then(std::fs::metadata);
     let modified = meta.as_ref().ok().and_then(|m| m.modified().ok());
@@ -67,10 +67,43 @@ pub(crate) fn salt() -> String {
     format!("{:?} {:?}", since, meta.map(|m| m.len()).ok())
 }
 
+/// Refuses what would write outside of the folder over a link, or over a file that the recipe reads.
+fn check_files(recipe: &Recipe, folder: &Folder, args: &Args) -> Result<()> {
+    if !args.allow_outside {
+        // Nothing is kept beyond a link either.
+        folder.check(".state")?;
+        let state = args.output.join(".landform");
+        if std::fs::symlink_metadata(&state).is_ok_and(|meta| meta.is_symlink()) {
+            let what =
+                format!("{} is a link, and would keep the run's state outside of the output folder", state.display());
+            let hint = Some("remove the link, or allow it with --allow-outside".into());
+            return Err(Error::Recipe { at: None, what, hint });
+        }
+    }
+    let inputs: Vec<PathBuf> = recipe.inputs().filter_map(|path| path.canonicalize().ok()).collect();
+    for path in recipe.outputs() {
+        folder.check(&path)?;
+        if let Ok(target) = args.output.join(&path).canonicalize()
+            && inputs.contains(&target)
+        {
+            let what = format!("`{path}` would be written over a file that the recipe reads");
+            return Err(Error::Recipe {
+                at: None,
+                what,
+                hint: Some("give it another `path`, or another folder by -o".into()),
+            });
+        }
+    }
+    Ok(())
+}
+
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let mut overrides = args.set.iter().map(|s| Override::parse(s)).collect::<Result<Vec<_>>>()?;
     if let Some(seed) = args.seed {
+        if i64::try_from(seed).is_err() {
+            return Err(Error::parameter("seed", seed, "at most 9223372036854775807, as in recipes").into());
+        }
         overrides.push(Override::parse(&format!("seed={seed}"))?);
     }
     let mut recipe = args.part.of(Recipe::load(&args.recipe, &overrides)).map_err(about(&args.recipe))?;
@@ -83,6 +116,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         return Err(Error::Memory { what: "this recipe".into(), needed: plan.bytes, available }.into());
     }
     let mut folder = Folder::create(&args.output)?.may_leave(args.allow_outside);
+    check_files(&recipe, &folder, args).map_err(about(&args.recipe))?;
     let cancel = CancelToken::default();
     let token = cancel.clone();
     let stepping = Arc::new(AtomicBool::new(false));
@@ -90,7 +124,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     ctrlc::set_handler(move || {
         // Only processes have a state worth saving; and a second signal does not wait for the step to end.
         if token.is_cancelled() || !in_steps.load(Ordering::Relaxed) {
-            eprintln!("interrupted: run again to go on from the cache");
+            complain!("interrupted: run again to go on from the cache");
             std::process::exit(130);
         }
         token.cancel();
@@ -122,7 +156,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                 Some(path) if path.is_file() => format!("the state is in {}; go on with --resume", path.display()),
                 _ => "run again to go on from the cache".into(),
             };
-            eprintln!("interrupted: {how}");
+            complain!("interrupted: {how}");
             Ok(ExitCode::from(130))
         }
     }

@@ -36,15 +36,15 @@ fn show_one(error: &Error, recipe: Option<&Path>) {
         (Error::Recipe { at: None, .. }, Some(path)) => format!(" in {}", path.display()),
         _ => String::new(),
     };
-    eprintln!("error: {error}");
+    complain!("error: {error}");
     if let (Error::Recipe { at: Some((line, column)), .. }, Some(path)) = (error, recipe) {
-        eprintln!("  -->{place}");
+        complain!("  -->{place}");
         show_line(path, *line, *column);
     } else if !place.is_empty() {
-        eprintln!("  -->{place}");
+        complain!("  -->{place}");
     }
     if let Some(hint) = error.hint() {
-        eprintln!("hint: {hint}");
+        complain!("hint: {hint}");
     }
 }
 
@@ -53,5 +53,5 @@ fn show_line(path: &Path, line: usize, column: usize) {
     let Some(source) = text.lines().nth(line - 1) else { return };
     let shown: String = source.chars().take(160).collect::<String>().replace('\t', " ");
     let gutter = " ".repeat(line.to_string().len());
-    eprintln!("{gutter} |\n{line} | {shown}\n{gutter} | {}^", " ".repeat(column.saturating_sub(1).min(160)));
+    complain!("{gutter} |\n{line} | {shown}\n{gutter} | {}^", " ".repeat(column.saturating_sub(1).min(160)));
 }

@@ -60,9 +60,7 @@ fn one(name: &str) -> Result<()> {
         if !stage.writes.is_empty() {
             say!("\n  leaves: {}", stage.writes.join(", "));
         }
-        if stage.verb.changes_terrain() {
-            say!("\n  reach: {}", (stage.form.reach)());
-        }
+        say!("\n  reach: {}", (stage.form.reach)());
         for source in stage.sources {
             say!("\n  source: {}: {}. {}", source.authors, source.title, source.doi);
         }

@@ -18,7 +18,7 @@ use crate::show_error::{Failure, about};
 pub(crate) struct Args {
     /// The recipe.
     recipe: PathBuf,
-    /// Number of seeds, counted up from the recipe's own (or from --seed).
+    /// Number of seeds, counted upwards from the recipe's own (or from --seed).
     #[arg(short, long, default_value_t = 1)]
     n: u64,
     /// First seed, instead of the recipe's.
@@ -33,21 +33,21 @@ pub(crate) struct Args {
     /// Contact sheet to write (.png), numbered as the table's rows.
     #[arg(long)]
     sheet: Option<PathBuf>,
-    /// What each picture of the sheet shows.
+    /// View of each picture of the sheet.
     #[arg(long, default_value = "map")]
     view: String,
-    /// Longer side of each picture, pixels.
+    /// Length of the longer side of each picture, pixels.
     #[arg(long, default_value_t = 320)]
     size: usize,
     /// Number of threads; all cores if not given. Results do not depend on it.
     #[arg(long, default_value_t = 0)]
     threads: usize,
-    /// Says nothing but errors.
+    /// Prints errors only.
     #[arg(short, long)]
     quiet: bool,
 }
 
-/// More pixels than this make no sheet that anyone could open.
+/// Sheets with more pixels than this are refused.
 const MOST_PIXELS: usize = 400_000_000;
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
@@ -82,7 +82,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         sweep.run(load, memory::available(), &cancel, |k, row| {
             if !args.quiet {
                 let values = if row.values.is_empty() { String::new() } else { format!(" {}", row.values.join(" ")) };
-                eprintln!(
+                complain!(
                     "[{}/{runs}] seed {}{values}: {:.1} to {:.1} m, {:.1} s",
                     k + 1,
                     row.seed,
@@ -106,14 +106,14 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     match failure {
         None => Ok(ExitCode::SUCCESS),
         Some(Error::Interrupted) => {
-            eprintln!("interrupted: {} of {runs} runs were finished", rows.len());
+            complain!("interrupted: {} of {runs} runs were finished", rows.len());
             Ok(ExitCode::from(130))
         }
         Some(e) => Err(about(&args.recipe)(e)),
     }
 }
 
-/// Refuses a file in a folder that is not there, before hours of runs.
+/// Refuses a file in a folder that does not exist, before the runs start.
 fn check_folder(path: &Path) -> Result<()> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     std::fs::metadata(folder).map(drop).map_err(|e| Error::io("write in", folder, e))

@@ -1,7 +1,7 @@
 //! One error type, with hints.
 //!
-//! Messages are lower case, without full stop, give the value found and what was expected; [`Error::hint`] adds the cure
-//! where one is known.
+//! Messages are lower case, without full stop, give the value found and the value expected; [`Error::hint`] adds the remedy where
+//! one is known.
 
 use std::path::PathBuf;
 
@@ -9,14 +9,14 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A parameter is outside what it may be.
+    /// A parameter has a value that is not allowed.
     #[error("parameter `{name}` is {value}; expected {expected}")]
     Parameter {
         /// Name as typed in a recipe.
         name: String,
         /// The value found.
         value: String,
-        /// What would have been accepted.
+        /// Values that are accepted.
         expected: String,
     },
     /// A text could not be read as a quantity.
@@ -39,7 +39,7 @@ pub enum Error {
         /// What is wrong.
         why: String,
     },
-    /// Two things that must have the same shape have not.
+    /// Two things that must have the same shape differ.
     #[error("{what} has {found}; expected {expected}")]
     Shape {
         /// What has the wrong shape.
@@ -54,7 +54,7 @@ pub enum Error {
     MissingField {
         /// Name of the field.
         name: String,
-        /// Who asked.
+        /// Stage or function that needs it.
         needed_by: String,
         /// Fields that are there.
         available: Vec<String>,
@@ -79,7 +79,7 @@ pub enum Error {
         /// Residual reached.
         residual: f64,
     },
-    /// Somebody asked it to stop.
+    /// The run was asked to stop.
     #[error("interrupted")]
     Interrupted,
     /// A number became NaN or infinite.
@@ -89,7 +89,7 @@ pub enum Error {
         field: String,
         /// Index of the node.
         node: usize,
-        /// Who wrote it.
+        /// Process that wrote it.
         after: String,
     },
     /// Every node is nodata.
@@ -98,7 +98,7 @@ pub enum Error {
         /// What is empty.
         what: String,
     },
-    /// A file is not what it should be.
+    /// A file's content is not valid.
     #[error("not a readable {format} file: {what}")]
     Format {
         /// Name of the format.
@@ -108,7 +108,7 @@ pub enum Error {
         /// What to do about it.
         hint: Option<String>,
     },
-    /// The operating system said no.
+    /// The operating system refused an operation.
     #[error("cannot {action} {}: {source}", path.display())]
     Io {
         /// "read", "write", ...
@@ -118,17 +118,17 @@ pub enum Error {
         /// Why.
         source: std::io::Error,
     },
-    /// More memory would be needed than there is.
+    /// More memory is needed than is available.
     #[error("{what} needs about {} and {} is free", bytes_text(*needed), bytes_text(*available))]
     Memory {
-        /// What would be done.
+        /// Operation that needs it.
         what: String,
         /// Bytes needed.
         needed: u64,
         /// Bytes available.
         available: u64,
     },
-    /// A recipe is wrong at a place.
+    /// A recipe is wrong.
     #[error("{what}")]
     Recipe {
         /// Line and column from 1, if known.
@@ -183,7 +183,7 @@ impl Error {
         Self::Io { action, path: path.into(), source }
     }
 
-    /// The cure, where it is known.
+    /// The remedy, where it is known.
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::Stage { source, .. } => source.hint(),

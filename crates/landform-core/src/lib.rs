@@ -1,12 +1,12 @@
-//! What a terrain is, and how anything is run. No physics, no files.
+//! Terrains, and how stages are run. No physics, no files.
 //!
 //! The layers, each of which may use only those above it:
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`error`], [`units`], [`random`], [`math`], [`parallel`] | what everything stands on |
+//! | [`error`], [`units`], [`random`], [`math`], [`parallel`] | the basis of everything else |
 //! | [`grid`] | index space, borders, georeference, and [`Domain`](grid::Domain): the graph that flow runs over |
-//! | [`field`], [`feature`] | named, typed values per node; rivers, lakes, coasts and other things with a place |
+//! | [`field`], [`feature`] | named, typed values per node; rivers, lakes, coasts and other features |
 //! | [`terrain`] | the representations: [`HeightField`](terrain::HeightField), [`Mesh`](terrain::Mesh) |
 //! | [`algo`] | flow routing, depressions, derivatives, noise, sampling |
 //! | [`agents`] | groups, searches, avalanches, automata, sand: the self-organised framework |

@@ -1,8 +1,7 @@
 //! Elementary functions that give the same bits on every platform.
 //!
-//! The standard library's `sin`, `exp`, `powf` call the platform's mathematics; these call the `libm` crate. `sqrt` is
-//! exact everywhere and stays as it is. The only place where the platform's could be called by mistake is caught by
-//! `clippy.toml`.
+//! The standard library's `sin`, `exp`, `powf` call the platform's mathematics; these call the `libm` crate. `sqrt` is exact
+//! everywhere and needs no replacement. `clippy.toml` catches calls of the platform's functions by mistake.
 //!
 //! ```
 //! use landform_core::math;

@@ -12,7 +12,7 @@ use crate::{Error, Result};
 /// Length of a piece. Small enough to balance two cores on 10⁵ nodes, large enough that a piece outweighs its scheduling.
 pub const PIECE: usize = 16_384;
 
-/// More would spend their time on waiting for each other.
+/// More threads would spend their time waiting for each other.
 const MOST_THREADS: usize = 512;
 
 fn pieces(n: usize) -> usize {

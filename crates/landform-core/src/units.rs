@@ -3,8 +3,8 @@
 //! Inside everything is SI; a [`Quantity`] exists where a human writes or reads a number: `"0.4 mm/yr"`, `"250 kyr"`,
 //! `"35 deg"`. Solvers call [`Quantity::si`] once and work in `f64`.
 //!
-//! A bare number is accepted only where nobody could mean anything but the stated unit (metres for lengths, the customary
-//! unit for erodibility, none for plain ratios). A bare `dt = 250` is refused: seconds, years or thousands of years?
+//! A bare number is accepted only where no other unit than the stated one could be meant (metres for lengths, the customary unit
+//! for erodibility, none for plain ratios). A bare `dt = 250` is refused: seconds, years or thousands of years?
 //!
 //! ```
 //! use landform_core::units::{Duration, Length, Rate, YEAR};
@@ -155,7 +155,7 @@ impl<D: Dimension> Quantity<D> {
 /// The SI factor of a unit of dimension `D`.
 ///
 /// # Errors
-/// A sentence that says what is wrong with the unit.
+/// If the unit is unknown or of another dimension; the error is a sentence that says which.
 pub fn unit_factor<D: Dimension>(unit: &str) -> Result<f64, String> {
     let parsed = parse_unit(unit)?;
     let angle = D::NAME == "angle";

@@ -1,4 +1,4 @@
-//! Whole files or none: written aside, then renamed.
+//! Files that are written whole or not at all: written under another name, then renamed.
 
 use std::fs;
 use std::io::Write;
@@ -7,13 +7,18 @@ use std::path::{Path, PathBuf};
 use landform_core::verb::{Output, file_path, relative_path};
 use landform_core::{Error, Result};
 
-/// Writes a whole file: aside first, flushed to disk, then renamed into place.
+/// Writes a whole file: first under another name, then flushed to disk and renamed.
 ///
 /// # Errors
-/// [`Error::Io`]; then nothing is left behind.
+/// [`Error::Io`] if the file cannot be written; then no part of it is left.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let aside = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
+    // A device or a pipe is written to, not replaced.
+    if fs::metadata(path).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
+        let mut to = fs::File::options().write(true).open(path).map_err(|e| Error::io("write", path, e))?;
+        return to.write_all(bytes).map_err(|e| Error::io("write", path, e));
+    }
     let write = || -> std::io::Result<()> {
         let mut file = fs::File::create(&aside)?;
         file.write_all(bytes)?;
@@ -43,7 +48,7 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// A folder, made if it is not there, and found to be writable.
+    /// A folder, which is created if it does not exist, and checked to be writable.
     ///
     /// # Errors
     /// [`Error::Io`].
@@ -72,6 +77,19 @@ impl Folder {
         Err(Error::parameter("path", value, "a file in the output folder, or leave to write outside"))
     }
 
+    /// Refuses a path that leads out of the folder, where that is not allowed.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for such a path.
+    pub fn check(&self, path: &str) -> Result<()> {
+        if self.may_leave {
+            return file_path(path).map(drop);
+        }
+        let target = self.root.join(relative_path(path)?);
+        let there = target.ancestors().skip(1).find(|p| p.exists()).unwrap_or(&self.root);
+        self.check_inside(path, there)
+    }
+
     /// Files written so far, in order.
     pub fn written(&self) -> &[PathBuf] {
         &self.written
@@ -80,14 +98,10 @@ impl Folder {
 
 impl Output for Folder {
     fn put(&mut self, path: &str, bytes: &[u8]) -> Result<()> {
-        let name = if self.may_leave { file_path(path)? } else { relative_path(path)? };
-        let target = self.root.join(name);
+        // Checked again, since a link may have come since; nothing is created beyond one either.
+        self.check(path)?;
+        let target = self.root.join(path);
         if let Some(parent) = target.parent() {
-            if !self.may_leave {
-                // The part that is there already: nothing is made beyond a link either.
-                let there = parent.ancestors().find(|p| p.exists()).unwrap_or(&self.root);
-                self.check_inside(path, there)?;
-            }
             fs::create_dir_all(parent).map_err(|e| Error::io("create folder", parent, e))?;
         }
         write_whole(&target, bytes)?;

@@ -6,9 +6,9 @@
 //! | [`import`] | the `elevation_file` generator, maps by path |
 //! | [`render`] | pictures: colour ramps, the shaded map, the perspective view |
 //! | [`report`] | the one-file HTML report, the report card |
-//! | [`measure`] | the stages that tell numbers |
+//! | [`measure`] | the stages that measure |
 //! | [`export`] | the stages that write files |
-//! | [`files`] | whole files or none |
+//! | [`files`] | files that are written whole or not at all |
 
 pub mod export;
 pub mod files;

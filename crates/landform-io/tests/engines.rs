@@ -61,7 +61,7 @@ fn unreal_reads_the_letter_upright_and_in_metres() {
     let files = export(Preset::Unreal, "f.png", &field, None);
     let card = card(&files, "f.png");
     let (location, scale) = (row(&card, "Location"), row(&card, "Scale"));
-    let raw = (raster_format("f.png".as_ref()).unwrap().read)(&files["f.png"], None).unwrap();
+    let raw = raster_format("f.png".as_ref()).unwrap().read(&files["f.png"], None).unwrap();
     assert_eq!(raw.grid().shape, Shape::new(127, 127));
     for i in 0..127 * 127 {
         // Unreal: Z = location + (v - 32768)/128 * scale, in cm; the first row has the least Y, which is north here.
@@ -72,7 +72,7 @@ fn unreal_reads_the_letter_upright_and_in_metres() {
     close(scale[1], 2000.0, 1e-6);
     // Read back with its own sidecar it is the same land.
     let sidecar = Sidecar::parse(&files["f.png.landform.json"]).unwrap();
-    let back = (raster_format("f.png".as_ref()).unwrap().read)(&files["f.png"], Some(&sidecar)).unwrap();
+    let back = raster_format("f.png".as_ref()).unwrap().read(&files["f.png"], Some(&sidecar)).unwrap();
     assert!(back.elevation().iter().zip(field.elevation()).all(|(a, b)| (a - b).abs() < 0.005));
 }
 
@@ -102,7 +102,7 @@ fn godot_blender_and_gis_get_metres() {
     assert!(card(&files, "f.exr").contains("| Vertex Spacing | 20 |"));
     let header = String::from_utf8_lossy(&files["f.exr"][..400]).into_owned();
     assert!(["R\0", "G\0", "B\0"].iter().all(|c| header.contains(c)), "three channels");
-    let read = |path: &str, bytes: &[u8]| (raster_format(path.as_ref()).unwrap().read)(bytes, None).unwrap();
+    let read = |path: &str, bytes: &[u8]| raster_format(path.as_ref()).unwrap().read(bytes, None).unwrap();
     for (files, path) in [
         (&files, "f.exr"),
         (&export(Preset::Blender, "b.exr", &field, None), "b.exr"),

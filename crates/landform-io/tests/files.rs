@@ -35,7 +35,7 @@ fn every_raster_format_goes_there_and_back_with_its_place() {
             let sixteen_bit = ["PNG", "PNM", "RAW16"].contains(&format.name);
             let sidecar = Sidecar::describe(&raster, sixteen_bit.then_some(65_535.0));
             let sidecar = Sidecar::parse(&sidecar.text().unwrap()).unwrap();
-            let back = (format.read)(&bytes, format.needs_sidecar.then_some(&sidecar)).unwrap();
+            let back = format.read(&bytes, format.needs_sidecar.then_some(&sidecar)).unwrap();
             assert_eq!(back.grid().shape, source.grid().shape, "{}", format.name);
             assert_eq!(back.grid().spacing, source.grid().spacing, "{}", format.name);
             for k in 0..2 {
@@ -59,7 +59,7 @@ fn nodata_survives_where_the_format_has_it() {
     values[8] = f64::NAN;
     for name in ["a.tif", "a.asc", "a.exr", "a.npy"] {
         let format = raster_format(Path::new(name)).unwrap();
-        let back = (format.read)(&(format.write)(&file(&source, &values)).unwrap(), None).unwrap();
+        let back = format.read(&(format.write)(&file(&source, &values)).unwrap(), None).unwrap();
         assert!(back.elevation()[8].is_nan() && !back.elevation()[9].is_nan(), "{name}");
         assert_eq!(back.nodata_count(), 1);
     }
@@ -77,7 +77,7 @@ fn no_damage_makes_a_reader_panic() {
         let format = raster_format(Path::new(&format!("x.{extension}"))).unwrap();
         let seed = Seed(1).named(extension);
         for n in 0..bytes.len().min(400) {
-            let _ = (format.read)(&bytes[..n * bytes.len() / bytes.len().min(400)], None);
+            let _ = format.read(&bytes[..n * bytes.len() / bytes.len().min(400)], None);
         }
         for trial in 0..400 {
             let mut damaged = bytes.clone();
@@ -86,7 +86,7 @@ fn no_damage_makes_a_reader_panic() {
                 let at = draws.bits(2 * k + 1) as usize % damaged.len().min(600);
                 damaged[at] = draws.bits(2 * k + 2) as u8;
             }
-            let _ = (format.read)(&damaged, None);
+            let _ = format.read(&damaged, None);
             let _ = read_grey(&damaged);
         }
     }

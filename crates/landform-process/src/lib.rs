@@ -1,4 +1,4 @@
-//! What happens to a terrain: one folder per phenomenon.
+//! Processes that change a terrain: one folder per phenomenon.
 //!
 //! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are coupled by a recipe.
 

@@ -1,4 +1,4 @@
-//! A landscape that one owns: opened, evolved, measured, saved.
+//! An owned landscape, which can be opened, evolved, measured and saved.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use landform_core::random::Seed;
 use landform_core::sim::{Model, Simulation, Stop};
 use landform_core::stage::{ReadStage, Verb};
-use landform_core::terrain::{AnyTerrain, HeightField, Held, NodeSurface, Surface, Visit};
+use landform_core::terrain::{AnyTerrain, HeightField, NodeSurface, Representation, Surface, Visit};
 use landform_core::verb::{Context, Environment, Event, MemoryOutput, Outcome, Params, Stopped};
 use landform_core::{Error, Result};
 use landform_io::files::write_whole;
@@ -18,7 +18,7 @@ use landform_io::import::{FileMaps, in_degrees};
 
 use crate::recipe::stages;
 
-/// A terrain with what surrounds it and how it came to be.
+/// A terrain with its environment and its history.
 ///
 /// ```
 /// use landform::prelude::*;
@@ -46,7 +46,7 @@ pub struct Landscape {
     pub terrain: AnyTerrain,
     /// Sea level, rain, winds and materials.
     pub environment: Arc<Environment>,
-    /// What was done so far, oldest first.
+    /// Stages so far, oldest first.
     pub history: Vec<Event>,
     /// Title, for pictures and reports.
     pub title: String,
@@ -54,7 +54,7 @@ pub struct Landscape {
     pub seed: u64,
 }
 
-impl<T: Held> From<T> for Landscape {
+impl<T: Representation> From<T> for Landscape {
     fn from(terrain: T) -> Self {
         Self::of(terrain.wrap())
     }
@@ -69,7 +69,8 @@ impl Landscape {
     /// Reads an elevation file: GeoTIFF, ESRI ASCII, PNG, PNM, EXR, NPY, RAW16. Water leaves by the low points of the border.
     ///
     /// # Errors
-    /// [`Error::Io`] or [`Error::Format`] for a file that cannot be read; [`Error::Parameter`] for one in degrees, since slopes need metres.
+    /// [`Error::Io`] or [`Error::Format`] if the file cannot be read; [`Error::Parameter`] if it is in degrees, since slopes need
+    /// metres.
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let mut field = load_raster(path)?;
@@ -83,10 +84,12 @@ impl Landscape {
         Ok(Self { title, ..Self::of(field.wrap()) })
     }
 
-    /// Writes the surface: the extension says whether as a raster (tif, asc, exr, npy, png, pgm, r16) or as triangles (glb, obj, ply, stl).
+    /// Writes the surface: the extension says whether as a raster (tif, asc, exr, npy, png, pgm, r16) or as triangles (glb, obj,
+    /// ply, stl).
     ///
     /// # Errors
-    /// [`Error::Parameter`] for an extension that is not known, or a raster of a mesh (`to_height_field` makes one); [`Error::Io`].
+    /// [`Error::Parameter`] if the extension is not known, or if it asks for a raster of a mesh (`to_height_field` makes one);
+    /// [`Error::Io`] if the file cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let path = path.as_ref();
         if let Ok(format) = mesh_format(path) {
@@ -124,7 +127,7 @@ impl Landscape {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a stage that does not work on this kind of terrain or does not act at once; what the stage reports.
+    /// [`Error::Unsupported`] if the stage does not work on this kind of terrain or does not act at once; or if the stage fails.
     pub fn apply<P: Params>(&mut self, params: P) -> Result<&mut Self> {
         let stage = read(&params)?;
         if !matches!(stage.stage().verb, Verb::Generate | Verb::Edit | Verb::Convert) {
@@ -142,7 +145,7 @@ impl Landscape {
     /// Measures: the values as JSON, as the stage would write them.
     ///
     /// # Errors
-    /// What the stage reports.
+    /// If the stage fails; the error is the stage's own.
     pub fn measure<P: Params>(&self, params: P) -> Result<serde_json::Value> {
         let stage = read(&params)?;
         let mut out = MemoryOutput::default();
@@ -151,7 +154,7 @@ impl Landscape {
         serde_json::from_slice(&bytes).map_err(|e| Error::format("JSON", e))
     }
 
-    /// As measures and exports see it.
+    /// The view of the landscape that measures and exports get.
     pub fn view(&self) -> landform_core::verb::Landscape<'_, AnyTerrain> {
         let mut view = landform_core::verb::Landscape::plain(&self.terrain);
         (view.environment, view.history) = (&self.environment, &self.history);
@@ -159,7 +162,8 @@ impl Landscape {
         view
     }
 
-    /// Prepares a run of processes in steps of `dt` for `duration`, both in s ([`kyr`](crate::prelude::kyr), [`myr`](crate::prelude::myr)).
+    /// Prepares a run of processes in steps of `dt` for `duration`, both in s ([`kyr`](crate::prelude::kyr),
+    /// [`myr`](crate::prelude::myr)).
     pub fn evolve(&mut self, dt: f64, duration: f64) -> Evolution<'_> {
         Evolution { land: self, dt, stop: Stop::time(duration), parts: Ok(Vec::new()) }
     }
@@ -212,8 +216,8 @@ impl Evolution<'_> {
     /// Runs to the end.
     ///
     /// # Errors
-    /// What a process' parameters are wrong in, or it reports while it runs; [`Error::Unsupported`] on a kind of terrain that a process does
-    /// not work on. The landscape is as before then.
+    /// If a parameter of a process is wrong, or a process fails while it runs; [`Error::Unsupported`] if a process does not work
+    /// on this kind of terrain. The landscape is then as before.
     pub fn run(self) -> Result<Outcome> {
         let Self { land, dt, stop, parts } = self;
         let parts = parts?;

@@ -1,7 +1,7 @@
 //! Grows landscapes from natural processes.
 //!
-//! A **landscape** is a terrain with named fields and a record of how it came to be. **Stages** act on it: *generate* a
-//! start, *edit* it, run *processes* over time, *convert*, *measure*, *export*. A **recipe** is a list of stages in TOML.
+//! A **landscape** is a terrain with named fields and a history. **Stages** act on it: *generate* a start, *edit* it, run
+//! *processes* over time, *convert*, *measure*, *export*. A **recipe** is a list of stages in TOML.
 //!
 //! From Rust, without a recipe:
 //!
@@ -22,12 +22,12 @@
 //! # }
 //! ```
 //!
-//! A [`Model`](landform_core::sim::Model) can be stepped, looked at and changed on the way. With a recipe: [`recipe::Recipe`].
+//! A [`Model`](landform_core::sim::Model) can be stepped, examined and changed on the way. With a recipe: [`recipe::Recipe`].
 //!
 //! | crate | holds |
 //! |---|---|
-//! | [`core`] | what a terrain is, how anything is run |
-//! | [`process`] | what happens to a terrain, a folder a phenomenon |
+//! | [`core`] | terrains, and how stages are run |
+//! | [`process`] | processes that change a terrain, a folder a phenomenon |
 //! | [`io`] | files, pictures, reports |
 
 mod landscape;

@@ -1,4 +1,4 @@
-//! What most programs need: `use landform::prelude::*;`.
+//! Names that most programs need: `use landform::prelude::*;`.
 
 pub use landform_core::grid::{Edge, Edges, Grid, Shape};
 pub use landform_core::random::Seed;

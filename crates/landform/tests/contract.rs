@@ -9,7 +9,7 @@ use landform::core::grid::{Domain, Status};
 use landform::core::parallel::with_threads;
 use landform::core::random::Seed;
 use landform::core::sim::Model;
-use landform::core::terrain::{HeightField, Held, Kind, Layer, Mesh, NodeSurface, Surface, Terrain};
+use landform::core::terrain::{HeightField, Kind, Layer, Mesh, NodeSurface, Representation, Surface, Terrain};
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
 use landform::recipe::{
@@ -445,7 +445,7 @@ fn a_sea_that_leaves_the_map_is_an_error_that_says_when() {
 /// A terrain in mid-run, edited, goes on as a run that begins on the edited terrain at that time.
 #[test]
 fn an_edit_in_mid_run_equals_a_fresh_start_for_every_process() {
-    fn check<T: Held + NodeSurface + PartialEq>(stage: &'static Stage, terrain: &T) {
+    fn check<T: Representation + NodeSurface + PartialEq>(stage: &'static Stage, terrain: &T) {
         let part = stage.read(&serde_json::json!({})).unwrap_or_else(|e| panic!("{}: {e:?}", stage.name));
         let model = |terrain: T| {
             let mut model = Model::new(terrain);

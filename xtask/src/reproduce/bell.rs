@@ -1,4 +1,4 @@
-//! Bell's tables and figures, ours beside the seed's.
+//! Bell's tables and figures, ours beside the thesis'.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -75,12 +75,12 @@ const HEAD: &str = "# Bell's thesis on stream power, reproduced
 Written by `cargo xtask reproduce bell`; every row is a run of a recipe of the gallery. *Ours* is one run with seed 1 unless
 said otherwise.
 
-What the seed leaves open: the node count and the talus angle of its parameter tables, the tolerance at which a run counted as
+What the thesis leaves open: the node count and the talus angle of its parameter tables, the tolerance at which a run counted as
 converged, and the random start (its generator is seeded by the clock). Our tables use 20,000 nodes and 30 degrees, which bring
 the row m = 0.5 to within a tenth of 3235 m, for every row; they are steady to 1e-12 of the relief. The figures use 35 degrees.
 
 Where we differ by intent: receivers are steepest descents, not lowest neighbours; lakes never flow two ways; children see the
-receiver's new elevation (the seed's listing uses the old one, so that it is not the implicit scheme it states); Voronoi areas
+receiver's new elevation (the thesis' listing uses the old one, so that it is not the implicit scheme it states); Voronoi areas
 are signed; the start is independent noise.
 
 ";
@@ -163,9 +163,9 @@ fn exponents(root: &Path, folder: &Path) -> Result<String> {
     }
     let mut text = String::from(
         "## Table A.1, figures 5.18 and 5.19: area exponent m\n\n\
-         The third column holds k, as the seed does: its unit changes with m, so that rows compare different rocks. The last holds \
+         The third column holds k, as the thesis does: its unit changes with m, so that rows compare different rocks. The last holds \
          k A0^m with A0 = 1 km2, which is the same rock at that area.\n\n\
-         | m | seed, m | ours, m | ours / seed | ours, k A0^m held, m |\n|---|---|---|---|---|\n",
+         | m | thesis, m | ours, m | ours / thesis | ours, k A0^m held, m |\n|---|---|---|---|---|\n",
     );
     for (((m, seed), row), held) in TABLE_M.iter().zip(&rows).zip(&held) {
         let h = row.summary.max;
@@ -183,7 +183,7 @@ fn uplifts(root: &Path, _: &Path) -> Result<String> {
     let rows = sweep(root, "uplift_rate", 1, &over, &[])?;
     let free = sweep(root, "uplift_rate", 1, &over, &["stream_power.talus_angle=85 deg".into()])?;
     let mut text = String::from(
-        "## Table A.2, figure 5.20: uplift\n\n| uplift, mm/yr | seed, m | ours, m | ours / seed | ours without a talus limit (85 deg), m |\n\
+        "## Table A.2, figure 5.20: uplift\n\n| uplift, mm/yr | thesis, m | ours, m | ours / thesis | ours without a talus limit (85 deg), m |\n\
          |---|---|---|---|---|\n",
     );
     for (((u, seed), row), free) in TABLE_U.iter().zip(&rows).zip(&free) {
@@ -200,14 +200,14 @@ fn uplifts(root: &Path, _: &Path) -> Result<String> {
         ]
     };
     let _ = writeln!(text, "\n| h ~ u^e | whole table | u <= 0.1 mm/yr | u >= 0.25 mm/yr |\n|---|---|---|---|");
-    for (name, table) in [("seed", TABLE_U), ("ours", &ours), ("ours without a talus limit", &without)] {
+    for (name, table) in [("thesis", TABLE_U), ("ours", &ours), ("ours without a talus limit", &without)] {
         let [all, low, high] = exponents(table);
         let _ = writeln!(text, "| {name} | {all:.3} | {low:.3} | {high:.3} |");
     }
-    text += "\nThe seed reads 0.568 off its figure and wonders why Cordonnier et al. (2016) find 1. Both are right: slopes that have \
-             reached the talus angle know nothing of uplift. Saturation, 1/h = 1/h_talus + k/(c u):\n\n\
+    text += "\nThe thesis reads 0.568 off its figure and wonders why Cordonnier et al. (2016) find 1. Both are right: slopes that have \
+             reached the talus angle do not depend on uplift. Saturation, 1/h = 1/h_talus + k/(c u):\n\n\
              | | R2 | h_talus, m | c |\n|---|---|---|---|\n";
-    for (name, table) in [("seed", TABLE_U), ("ours", &ours)] {
+    for (name, table) in [("thesis", TABLE_U), ("ours", &ours)] {
         let (slope, at_0, r2) = math::line_fit(table.iter().map(|&(u, h)| (1.0 / (u * 1e-3), 1.0 / h)));
         let _ = writeln!(text, "| {name} | {r2:.4} | {:.0} | {:.2} |", 1.0 / at_0, K / slope);
     }
@@ -218,7 +218,7 @@ fn erodibilities(root: &Path, _: &Path) -> Result<String> {
     let values = texts(TABLE_K.iter().map(|r| r.0), "");
     let rows = sweep(root, "erodibility", 1, &[("stream_power.erodibility", values)], &[])?;
     let mut text = String::from(
-        "## Table A.3, figures 5.21 and 5.22: erodibility\n\n| k, 1/yr | seed, m | ours, m | ours / seed | 1/ours, 1/m |\n|---|---|---|---|---|\n",
+        "## Table A.3, figures 5.21 and 5.22: erodibility\n\n| k, 1/yr | thesis, m | ours, m | ours / thesis | 1/ours, 1/m |\n|---|---|---|---|---|\n",
     );
     for ((k, seed), row) in TABLE_K.iter().zip(&rows) {
         let h = row.summary.max;
@@ -226,7 +226,7 @@ fn erodibilities(root: &Path, _: &Path) -> Result<String> {
     }
     let ours: Vec<(f64, f64)> = TABLE_K.iter().zip(&rows).map(|(t, r)| (t.0, r.summary.max)).collect();
     text += "\n1/h = 1/h_talus + k/(c u), u = 0.4 mm/yr:\n\n| | R2 | h_talus, m | c |\n|---|---|---|---|\n";
-    for (name, table) in [("seed", TABLE_K), ("ours", &ours)] {
+    for (name, table) in [("thesis", TABLE_K), ("ours", &ours)] {
         let (slope, at_0, r2) = math::line_fit(table.iter().map(|&(k, h)| (k, 1.0 / h)));
         let _ = writeln!(text, "| {name} | {r2:.4} | {:.0} | {:.2} |", 1.0 / at_0, 1.0 / (slope * 4e-4));
     }
@@ -243,7 +243,7 @@ fn angles(root: &Path, folder: &Path) -> Result<String> {
     for (angle, row) in angles.iter().zip(&rows) {
         let _ = writeln!(text, "| {angle} deg | {:.0} |", row.summary.max);
     }
-    Ok(text + "\nThe seed gives no heights here.\n\n")
+    Ok(text + "\nThe thesis gives no heights here.\n\n")
 }
 
 fn sizes(root: &Path, folder: &Path) -> Result<String> {
@@ -251,7 +251,7 @@ fn sizes(root: &Path, folder: &Path) -> Result<String> {
     let rows = sweep(root, "size", 1, &[("stream_graph.size", values)], &[])?;
     sheet(&rows, ViewKind::Map, 300, &folder.join("terrain_size.png"))?;
     let mut text = String::from(
-        "## Figure 5.24, figures A.1 to A.5: terrain size\n\n![](terrain_size.png)\n\n| side, m | seed, m | ours, m |\n|---|---|---|\n",
+        "## Figure 5.24, figures A.1 to A.5: terrain size\n\n![](terrain_size.png)\n\n| side, m | thesis, m | ours, m |\n|---|---|---|\n",
     );
     for ((side, seed), row) in TABLE_SIZE.iter().zip(&rows) {
         let seed = seed.map_or("not given".into(), |h| format!("{h:.0}"));
@@ -269,7 +269,7 @@ fn column(csv: &str, name: &str) -> Vec<f64> {
 fn convergence(root: &Path, folder: &Path) -> Result<String> {
     let mut text = String::from(
         "## Figures 5.33, 5.34: on the way to the steady state\n\n\
-         Highest point as a stand-in, as in the seed: the first step from which it stays within 2 % of where it is after 600.\n\n\
+         The highest point is the measure, as in the thesis: the first step from which it stays within 2 % of where it is after 600.\n\n\
          | nodes | dt | steps | highest of all, m | after 600 steps, m | lakes after 10 steps |\n|---|---|---|---|---|---|\n",
     );
     let cases = [
@@ -306,15 +306,15 @@ fn convergence(root: &Path, folder: &Path) -> Result<String> {
     recipe(root, "convergence", &[])?.run(&mut out, &Options::default())?;
     write_whole(&folder.join("growth.gif"), &out.0["growth.gif"])?;
     Ok(text
-        + "\nThe seed finds a floor of about 150 steps for any dt. Its listing alone needs as many as the longest river has nodes; ours \
+        + "\nThe thesis finds a floor of about 150 steps for any dt. Its listing alone needs as many as the longest river has nodes; ours \
            needs many too, because rivers go on capturing each other. From coarse to fine (`refine`) 20 steps on the finest level do.\n\n\
            ![](growth.gif)\n\n")
 }
 
 fn speed(root: &Path, _: &Path) -> Result<String> {
     let mut text = String::from(
-        "## Tables B.1, B.2, figures 5.25, 5.30: time\n\nSeconds on the wall of this machine, mesh included; the seed's on an Intel Core i7 of 2.8 GHz. One run \
-         at a time.\n\n| nodes | seed, s | ours, steady to the bit, s | seed / ours | steps on the finest level |\n|---|---|---|---|---|\n",
+        "## Tables B.1, B.2, figures 5.25, 5.30: time\n\nSeconds on the wall of this machine, mesh included; the thesis' on an Intel Core i7 of 2.8 GHz. One run \
+         at a time.\n\n| nodes | thesis, s | ours, steady to the bit, s | thesis / ours | steps on the finest level |\n|---|---|---|---|---|\n",
     );
     for (nodes, seed) in TABLE_TIME {
         let row = sweep(root, "many", 1, &[], &[format!("stream_graph.nodes={nodes}")])?.remove(0);

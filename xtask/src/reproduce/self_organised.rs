@@ -65,8 +65,8 @@ pub(super) const PYTEL_COASTS: Page = Page {
     file: "coasts.md",
     head: "# Pytel's thesis, section 4.2 and appendix B.1: coasts, reproduced
 
-Written by `cargo xtask reproduce pytel-coasts`. Sites are 15 m wide, so that the thesis' radii are 10 to 17 sites and its R_a is 1.7 sites. Damping is the thesis'; forces are above its 0.44 to 0.50, because how exposed
-sides weaken a place is not given there (here Sapoval's rule: R, R squared, 0), nor what a local perimeter is measured against (here 2 R). *D* is the dimension of all shores by boxes. Seconds are of whole recipes, pictures
+Written by `cargo xtask reproduce pytel-coasts`. Sites are 15 m wide, so that the thesis' radii are 10 to 17 sites and its R_a is 1.7 sites. Damping is the thesis'; forces are above its 0.44 to 0.50, because it does not say how
+exposed sides weaken a site (here Sapoval's rule: R, R squared, 0), nor what a local perimeter is measured against (here 2 R). *D* is the dimension of all shores by boxes. Seconds are of whole recipes, pictures
 included, on one thread of the machine that wrote the page, one run; the thesis' are 195 to 308 s a coast (contiguous), 1,444 to 3,724 s (all), 78 s (figure 4.7).
 
 ",
@@ -77,9 +77,9 @@ included, on one thread of the machine that wrote the page, one run; the thesis'
         Figure { title: "The local perimeter of all shores", recipe: "coasts_local", pictures: &["all_150", "all_200", "all_250"], measures: &["all_150", "all_200", "all_250"], what: "R_p = 150, 200, 250 m, g = 0.15. Small islands stay near the shore." },
         Figure { title: "Figure 4.6 and table 4.5: more avalanching", recipe: "coasts_weakened", pictures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], measures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], what: "a = 0, 0.05, 0.10, 0.175 with R_a = 25 m, k = 1. In the mean of eight seeds coasts get shorter with a (Spearman -1 over the six amounts, by 2 %); one seed does not show it, and the thesis' figure shows much more." },
         Figure { title: "Figure 4.7: mixed", recipe: "mixed_coast", pictures: &["mixed"], measures: &["mixed"], what: "Force and damping differ by side." },
-        Figure { title: "Figure 4.8: the inside of an island", recipe: "interior", pictures: &["nearest", "hermite"], measures: &[], what: "Level sets by nearest and by Hermite's interpolation." },
+        Figure { title: "Figure 4.8: the interior of an island", recipe: "interior", pictures: &["nearest", "hermite"], measures: &[], what: "Level sets by nearest and by Hermite's interpolation." },
         Figure { title: "Figures B.4 and B.6, table B.1: sectors", recipe: "sector_coasts", pictures: &["from_square", "from_disc"], measures: &["from_square", "from_disc"], what: "512 x 512 sites, 4 x 4 sectors." },
-        Figure { title: "Dunes on a fretted island", recipe: "dunes_and_coast", pictures: &["dunes"], measures: &[], what: "Two processes after one another." },
+        Figure { title: "Dunes on an island with an irregular coast", recipe: "dunes_and_coast", pictures: &["dunes"], measures: &[], what: "Two processes after one another." },
     ],
     tail: nothing,
 };

@@ -3,7 +3,7 @@
 use crate::grid::Shape;
 use crate::{Error, Result, parallel};
 
-/// What a rule sees.
+/// Input of a rule.
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbourhood<C> {
     /// The cell.
@@ -14,8 +14,8 @@ pub struct Neighbourhood<C> {
     pub index: usize,
 }
 
-/// A cellular automaton on a raster, double-buffered: every cell sees its neighbours as they were. Rows run in parallel; the outcome does
-/// not depend on threads.
+/// A cellular automaton on a raster, double-buffered: every cell reads its neighbours as they were before the step. Rows run in
+/// parallel; the result does not depend on threads.
 ///
 /// ```
 /// use landform_core::agents::Automaton;
@@ -31,14 +31,14 @@ pub struct Neighbourhood<C> {
 #[derive(Clone, Debug)]
 pub struct Automaton<C> {
     shape: Shape,
-    /// What lies beyond the sides; none: what leaves on one side enters on the other.
+    /// The cell beyond the sides; with none, opposite sides are joined.
     beyond: Option<C>,
     cells: Vec<C>,
     next: Vec<C>,
 }
 
 impl<C: Copy + Send + Sync> Automaton<C> {
-    /// From cells, row-major. `beyond` is what cells at the sides see outside; none wraps around.
+    /// From cells, row-major. `beyond` is the neighbour of cells at the sides; with none, sides wrap around.
     ///
     /// # Errors
     /// [`Error::Shape`] if there are not as many cells as the shape has.

@@ -1,4 +1,4 @@
-//! One event that makes like events around it more likely: the primitive of the whole paradigm.
+//! Avalanches: one event makes similar events around it more likely.
 
 use super::{RasterSites, Search, Sites};
 use crate::grid::Link;
@@ -6,7 +6,7 @@ use crate::grid::Link;
 /// How an avalanche's effect falls off with distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Falloff {
-    /// Not at all up to the radius.
+    /// It does not fall off up to the radius.
     Constant,
     /// Linearly to 0 at the radius.
     Linear,
@@ -26,8 +26,9 @@ impl Falloff {
     }
 }
 
-/// Sets off an avalanche: `change` sees every site within `radius` m of the origin (which comes first) that can be reached along links
-/// that `through` lets pass, with the weight that the event has there. **Cost** O(sites in the radius), whatever the size of the graph.
+/// Triggers an avalanche: `change` is called with every site within `radius` m of the origin (which comes first) that can be
+/// reached along links that `through` lets pass, with the weight that the event has there. **Cost** O(sites in the radius),
+/// whatever the size of the graph.
 pub fn avalanche<D: Sites>(
     sites: &D,
     search: &mut Search,
@@ -43,17 +44,17 @@ pub fn avalanche<D: Sites>(
     });
 }
 
-/// Lets events set off events until none is left: `topple` acts on a site and pushes those that it may have set off. Last pushed, first
-/// served. `pending` holds the first ones and is scratch afterwards. The caller's rule must lose something with every topple, or this
-/// does not end.
+/// Lets events trigger events until none is left: `topple` acts on a site and pushes those that it may have triggered. The last
+/// one pushed is taken first. `pending` holds the first ones and is scratch afterwards. The caller's rule must lose something
+/// with every topple, or this does not end.
 pub fn cascade(pending: &mut Vec<usize>, mut topple: impl FnMut(usize, &mut Vec<usize>)) {
     while let Some(site) = pending.pop() {
         topple(site, pending);
     }
 }
 
-/// The sites around any site of a raster that an event reaches, with weights, found once: the fast form of [`avalanche()`] where nothing
-/// stands in the way.
+/// The sites around any site of a raster that an event reaches, with weights, found once: the fast form of [`avalanche()`] where
+/// no link is excluded.
 #[derive(Clone, Debug)]
 pub struct Stencil {
     /// Columns east, rows south, weight.

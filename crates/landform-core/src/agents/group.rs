@@ -38,7 +38,7 @@ struct Agent<S> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Group<S, G = ()> {
-    /// What all agents of the group share.
+    /// State that all agents of the group share.
     pub globals: G,
     agents: Vec<Agent<S>>,
     /// Where the agent of a site is.
@@ -49,14 +49,14 @@ pub struct Group<S, G = ()> {
 }
 
 impl<S> Group<S> {
-    /// An empty group on so many sites.
+    /// An empty group on this many sites.
     pub fn new(sites: usize) -> Self {
         Self::with_globals(sites, ())
     }
 }
 
 impl<S, G> Group<S, G> {
-    /// An empty group on so many sites.
+    /// An empty group on this many sites.
     pub fn with_globals(sites: usize, globals: G) -> Self {
         Self { globals, agents: Vec::new(), slots: vec![NOWHERE; sites], visit: 0, order: Vec::new() }
     }
@@ -136,7 +136,8 @@ impl<S, G> Group<S, G> {
         sites
     }
 
-    /// Lets every agent act once that is here now and still is when its turn comes. Those born on the way wait for the next visit.
+    /// Every agent acts once that is present now and still is when its turn comes. Agents born during the visit wait for the next
+    /// one.
     pub fn visit(&mut self, order: Order, mut act: impl FnMut(&mut Self, usize)) {
         self.visit += 1;
         let mut turn = std::mem::take(&mut self.order);

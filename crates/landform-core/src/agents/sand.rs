@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::grid::Shape;
 use crate::math;
 
-/// Sand on hard ground, in whole units, so that its amount is kept exactly. Wherever it is put or taken, it slips at once until no site
-/// stands above a neighbour by more than the angle of repose allows; hard ground may be as steep as it likes. Eight neighbours; a torus,
-/// or a field whose sides sand does not slip over.
+/// Sand on hard ground, in whole units, so that its amount is kept exactly. Wherever it is put or taken, it slips at once until
+/// no site stands above a neighbour by more than the angle of repose allows; hard ground may have any slope. Eight neighbours; a
+/// torus, or a field whose sides sand does not slip over.
 ///
 /// **Cost** of putting or taking: O(1) for sand at rest, and the length of the avalanche else; never the size of the field.
 ///
@@ -30,7 +30,7 @@ pub struct Sand {
     depth: Vec<i32>,
     /// Greatest step to a neighbour along x, along y and diagonally, units.
     steps: [i32; 3],
-    /// How much slips at once.
+    /// Units that slip at once.
     slab: i32,
     swallowed: i64,
     #[serde(skip)]
@@ -46,8 +46,8 @@ const AROUND: [(i32, i32, usize); 8] =
 impl Sand {
     /// Sand of depth 0 on hard ground.
     ///
-    /// `ground` and everything else in units; `slab` is how much slips at once. The angle of repose is given as tan times the spacing over
-    /// the height of a unit, for steps along x, y and the diagonal in turn: see [`Sand::steps_of`].
+    /// `ground` and everything else in units; `slab` is how much slips at once. The angle of repose is given as tan times the
+    /// spacing over the height of a unit, for steps along x, y and the diagonal in turn: see [`Sand::steps_of`].
     pub fn new(shape: Shape, torus: bool, ground: Vec<i32>, steps: [i32; 3], slab: i32) -> Self {
         let depth = vec![0; ground.len()];
         Self {
@@ -62,8 +62,9 @@ impl Sand {
         }
     }
 
-    /// Greatest steps in units for an angle of repose, radians, in slabs of so many units of height `unit`: whole slabs, at least one, along
-    /// the axes not above the angle, diagonally the nearest to it (else piles would be pyramids: two slabs either way).
+    /// Greatest steps in units for an angle of repose, radians, in slabs of so many units of height `unit`: whole slabs, at least
+    /// one, along the axes not above the angle, diagonally the nearest to it (else piles would be pyramids: two slabs either
+    /// way).
     pub fn steps_of(repose: f64, spacing: [f64; 2], unit: f64, slab: i32) -> [i32; 3] {
         let [dx, dy] = spacing;
         let height = unit * f64::from(slab);
@@ -100,18 +101,18 @@ impl Sand {
         self.depth.iter().map(|&d| i64::from(d.max(0))).sum()
     }
 
-    /// What sinks swallowed so far, units.
+    /// Sand that sinks took so far, units.
     pub fn swallowed(&self) -> i64 {
         self.swallowed
     }
 
-    /// How much slips at once, units.
+    /// Thickness of a slab, units that slip at once.
     pub fn slab(&self) -> i32 {
         self.slab
     }
 
-    /// Sets the height of the hard ground and the sand on it, as something else has left them. What then stands too steep slips when it is
-    /// next touched; sites that swallow keep no sand.
+    /// Sets the height of the hard ground and the sand on it, after a change from outside. Sand that is then too steep slips when
+    /// it is next touched; sites that swallow keep no sand.
     pub fn set_site(&mut self, site: usize, ground: i32, depth: i32) {
         if !self.is_sink(site) {
             self.depth[site] = depth.max(0);
@@ -119,7 +120,7 @@ impl Sand {
         self.surface[site] = ground + self.depth(site);
     }
 
-    /// Takes up to so much sand without letting any slip; call [`Sand::settle`] after. How much was taken.
+    /// Takes up to `units` of sand without letting any slip; call [`Sand::settle`] after. Returns the units taken.
     pub fn lift(&mut self, site: usize, units: i32) -> i32 {
         let taken = units.min(self.depth(site));
         self.depth[site] -= taken.max(0);
@@ -127,12 +128,12 @@ impl Sand {
         taken
     }
 
-    /// How much slips at once from now on.
+    /// Sets the units that slip at once from now on.
     pub fn set_slab(&mut self, units: i32) {
         self.slab = units.max(1);
     }
 
-    /// Makes a site swallow whatever falls on it; sand that lies there is swallowed.
+    /// Makes a site a sink: it swallows the sand that falls on it and the sand that lies there.
     pub fn make_sink(&mut self, site: usize) {
         let lying = self.depth(site);
         self.surface[site] -= lying;
@@ -162,7 +163,7 @@ impl Sand {
         self.slip_from(site);
     }
 
-    /// Takes up to so much sand, and lets sand slip into the gap. How much was taken.
+    /// Takes up to `units` of sand, and lets sand slip into the gap. Returns the units taken.
     #[inline]
     pub fn take(&mut self, site: usize, units: i32) -> i32 {
         let taken = units.min(self.depth(site));
@@ -174,7 +175,7 @@ impl Sand {
         taken
     }
 
-    /// Lets all sand slip that stands too steep.
+    /// Lets all sand slip that is too steep.
     pub fn settle(&mut self) {
         for site in 0..self.shape.len() {
             if self.depth[site] > 0 {
@@ -278,9 +279,10 @@ impl Sand {
         }
     }
 
-    /// Moves a slab from a site to a lower neighbour; both and what stands above the first are looked at again.
+    /// Moves a slab from a site to a lower neighbour; both sites and those above the first are examined again.
     fn fall(&mut self, from: usize, to: usize) {
-        // At most half of the drop, so that every fall brings sand down and avalanches end; where it towers, more than a slab at once.
+        // At most half of the drop, so that every fall brings sand down and avalanches end; where it towers, more than a slab at
+        // once.
         let drop = self.surface[from] - self.surface[to];
         let over = drop - self.steps[0].max(self.steps[1]).max(self.steps[2]);
         let amount = self.slab.max(over / 4).min(self.depth[from]).min((drop / 2).max(1));

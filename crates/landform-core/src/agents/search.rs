@@ -1,4 +1,4 @@
-//! Looking around in the graph.
+//! Searches in the graph around a site.
 
 use super::Sites;
 use crate::grid::Link;
@@ -13,7 +13,7 @@ pub struct Search {
 }
 
 impl Search {
-    /// For graphs of so many sites.
+    /// For graphs of this many sites.
     pub fn new(sites: usize) -> Self {
         Self { seen: vec![0; sites], call: 0, queue: Vec::new() }
     }
@@ -28,8 +28,9 @@ impl Search {
         self.queue.clear();
     }
 
-    /// Breadth-first from `origin` to sites at most `radius` away in a straight line, along links that `through` (from, to) lets pass:
-    /// uphill only, along a coast only, inside a cone. `visit` sees each site once with its distance, the origin first; false ends it.
+    /// Breadth-first from `origin` to sites at most `radius` away in a straight line, along links that `through` (from, to) lets
+    /// pass: uphill only, along a coast only, inside a cone. `visit` sees each site once with its distance, the origin first;
+    /// false ends it.
     pub fn within<D: Sites>(
         &mut self,
         sites: &D,
@@ -64,8 +65,8 @@ impl Search {
         }
     }
 
-    /// Walks from `origin` along a direction (any length) until `reach` m, an open side, or `visit` says false. Sites come in order, each
-    /// once in a row, without the origin, with their distance along the ray.
+    /// Walks from `origin` along a direction (any length) until `reach` m, an open side, or `visit` says false. Sites come in
+    /// order, each once in a row, without the origin, with their distance along the ray.
     pub fn ray<D: Sites>(
         sites: &D,
         origin: usize,

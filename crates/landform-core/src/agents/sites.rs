@@ -28,7 +28,8 @@ pub enum Connectivity {
     Four,
     /// The diagonal ones too.
     Eight,
-    /// Eight and four in turn, as 4-8 subdivision leaves them: diagonals join sites whose row and column add up to an even number.
+    /// Eight and four in turn, as 4-8 subdivision leaves them: diagonals join sites whose row and column add up to an even
+    /// number.
     FourEight,
 }
 
@@ -68,7 +69,7 @@ impl RasterSites {
         self.spacing
     }
 
-    /// The site so many columns east and rows south; none beyond an open side. Reflecting sides turn back.
+    /// The site `cols` columns east and `rows` rows south; none beyond an open side. Reflecting sides turn back.
     #[inline]
     pub fn moved(&self, site: usize, cols: i64, rows: i64) -> Option<usize> {
         let cell = self.shape.cell(site);

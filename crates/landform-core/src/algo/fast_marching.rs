@@ -1,13 +1,13 @@
-//! Fast marching: fronts that only ever advance, and the distances they measure.
+//! Fast marching: fronts that only advance, and the distances that they measure.
 //!
 //! # Model
-//! |∇T| F = 1: T is when a front that starts at the seeds with speed F arrives.
+//! |∇T| F = 1: T is the time at which a front arrives that starts at the seeds with speed F.
 //!
 //! # Method
-//! The site with the least time among those beside the front is accepted next; its neighbours' times are recomputed from accepted sites
-//! alone, by one-sided differences of first or second order. Where the largest of the upwind times turns out later than the result, that
-//! axis is left out. Distances start from an exact ball around each seed, without which the first cells spoil the rest.
-//! A heap with lazy duplicates; ties go to the lower index. **Cost** O(n log n).
+//! The site with the least time among those beside the front is accepted next; its neighbours' times are recomputed from accepted
+//! sites alone, by one-sided differences of first or second order. Where the largest of the upwind times turns out later than the
+//! result, that axis is left out. Distances start from an exact ball around each seed, without which the first cells spoil the
+//! rest. A heap with lazy duplicates; ties go to the lower index. **Cost** O(n log n).
 //!
 //! # Sources
 //! Sethian (1996); Sethian (1999) for the second order; Pytel (2015), listing A.6, whose T = d/F leaves out the quadratic.
@@ -107,8 +107,8 @@ fn faces() -> impl Iterator<Item = (usize, [i64; 3])> {
     })
 }
 
-/// Marches from seeds (site, time). `update` gives the time of a site from the front so far; infinite keeps the front out. Sites that it
-/// never reaches stay infinite. `accept` sees every site in order of time.
+/// Marches from seeds (site, time). `update` gives the time of a site from the front so far; infinite keeps the front out. Sites
+/// that it never reaches stay infinite. `accept` sees every site in order of time.
 pub fn march(
     lattice: &Lattice,
     seeds: impl IntoIterator<Item = (usize, f64)>,
@@ -212,8 +212,8 @@ pub fn arrival(lattice: &Lattice, seeds: &[usize], speed: &[f64], order: Order) 
     )
 }
 
-/// Signed distance to the surface where `level` is 0, m: positive where `level` is. Beside the surface it follows from `level` along the
-/// axes; infinite everywhere if there is no surface.
+/// Signed distance to the surface where `level` is 0, m: positive where `level` is. Beside the surface it follows from `level`
+/// along the axes; infinite everywhere if there is no surface.
 pub fn signed_distance(lattice: &Lattice, level: &[f64], order: Order) -> Vec<f64> {
     let inside = |i: usize| level[i] > 0.0;
     let mut beside = Vec::new();

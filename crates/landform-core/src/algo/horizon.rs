@@ -1,8 +1,8 @@
-//! What can be seen: shadows of a sun or a wind, and the ground in view of a point.
+//! Visibility: shadows of a sun or a wind, and the ground in view of a point.
 //!
 //! # Method
-//! Each node looks along a line of steps of one cell, elevations between nodes taken as linear, until nothing on the map can hide it.
-//! **Cost** O(n · relief / (cell · tan altitude)) for shadows, O(n · side) for a view.
+//! From each node a line is followed in steps of one cell, with linear elevations between nodes, until no ground of the map can
+//! hide it. **Cost** O(n · relief / (cell · tan altitude)) for shadows, O(n · side) for a view.
 //!
 //! # Example
 //! A wall of 15 m throws a shadow of 15 m where the sun stands at 45 degrees:
@@ -36,8 +36,8 @@ fn elevation_at(grid: &Grid, z: &[f64], c: f64, r: f64) -> Option<f64> {
     (!value.is_nan()).then_some(value)
 }
 
-/// Whether each node lies in the shadow of other ground: the sun (or the wind) comes from compass direction `azimuth` at `altitude`
-/// above level, radians. Nodata is not in shadow.
+/// Whether each node lies in the shadow of other ground: the sun (or the wind) comes from compass direction `azimuth` at
+/// `altitude` above level, radians. Nodata is not in shadow.
 pub fn shadow(grid: &Grid, z: &[f64], azimuth: f64, altitude: f64) -> Vec<bool> {
     let highest = parallel::max(z.len(), |i| z[i]);
     let unit = grid.spacing[0].min(grid.spacing[1]);

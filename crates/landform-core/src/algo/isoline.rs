@@ -1,9 +1,10 @@
 //! Lines of equal elevation.
 //!
 //! # Method
-//! Marching squares with linear crossings. A node is high if it lies at the level or above; lines run with the high ground on their
-//! left, so that islands go round counter-clockwise and hollows clockwise. At a saddle the high corners stay apart, everywhere alike
-//! (both ambiguous cases, as the seed's appendix B needs): land is joined by sides, the sea by corners too. Squares with nodata hold no line.
+//! Marching squares with linear crossings. A node is high if it lies at the level or above; lines run with the high ground on
+//! their left, so that islands run counter-clockwise and depressions clockwise. At every saddle the high corners are separated
+//! (both ambiguous cases, as appendix B of Pytel's thesis needs): land is joined by sides, the sea by corners too. Squares with
+//! nodata hold no line.
 //!
 //! # Sources
 //! Lorensen & Cline (1987) in two dimensions; Pytel's thesis, appendix B.
@@ -52,8 +53,8 @@ impl Isoline {
     }
 }
 
-/// All lines at `level`, open ones first, each kind in the order of its first crossing from the north-west. **Cost** O(n + m log m) for m
-/// crossings.
+/// All lines at `level`, open ones first, each kind in the order of its first crossing from the north-west. **Cost** O(n + m log
+/// m) for m crossings.
 pub fn isolines(grid: &Grid, z: &[f64], level: f64) -> Vec<Isoline> {
     let mut steps = steps(grid, z, level);
     steps.sort_unstable();

@@ -1,4 +1,4 @@
-//! Which nodes water leaves by, and water at the level of the sea.
+//! The nodes by which water leaves, and water at sea level.
 //!
 //! ```
 //! use landform_core::algo::outlets::at_or_under;
@@ -32,8 +32,8 @@ pub fn at_or_under<T: NodeSurface>(level: f64, terrain: &T) -> Vec<Status> {
     chosen(terrain, |i| terrain.elevation()[i] <= level)
 }
 
-/// Raises the water to the level of the sea at base levels below it that the sea does not reach: lagoons and hollows, which
-/// are lakes to whoever stands at their shore. The sea comes in over the border, the rim of outer nodata included.
+/// Raises the water to sea level at base levels below it that are not connected to the sea: lagoons and depressions, which are
+/// lakes. The sea enters over the border, the rim of outer nodata included.
 pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_level: f64, water: &mut [f64]) {
     let status = domain.status();
     let [lo, hi] = terrain.bounds();
@@ -60,8 +60,8 @@ pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_le
     }
 }
 
-/// Of the border's base levels stay the low points of the border at which water from inside leaves when all of it is open;
-/// the lowest of all, if there is none. A valley that enters from outside is no outlet.
+/// Keeps, of the border's base levels, the low points at which water from inside leaves when the whole border is open; the lowest
+/// of all, if there is none. A valley that enters from outside is no outlet.
 pub(crate) fn valleys<T: NodeSurface>(terrain: &T) -> Vec<Status> {
     let (domain, z) = (terrain.domain(), terrain.elevation());
     let status = domain.status();
@@ -78,6 +78,19 @@ pub(crate) fn valleys<T: NodeSurface>(terrain: &T) -> Vec<Status> {
         status.iter().map(|&s| if s == Status::BaseLevel { Status::Interior } else { s }).collect();
     for i in outlets {
         new[i] = Status::BaseLevel;
+    }
+    new
+}
+
+/// As [`valleys`], and the rims of nodata inside, such as lakes that were cut out.
+pub(crate) fn holes<T: NodeSurface>(terrain: &T) -> Vec<Status> {
+    let (mut new, domain) = (valleys(terrain), terrain.domain());
+    let status = domain.status();
+    for hole in (0..status.len()).filter(|&i| status[i] == Status::Masked) {
+        // The rim of outer nodata is of the border already.
+        for link in domain.neighbours(hole).filter(|l| status[l.to] == Status::Interior) {
+            new[link.to] = Status::BaseLevel;
+        }
     }
     new
 }

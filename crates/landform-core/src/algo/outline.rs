@@ -3,7 +3,8 @@
 //! # Method
 //! The sides between a region's cells and others are walked with the region on the left, so that outer rings run
 //! counter-clockwise seen from above and holes clockwise (as GeoJSON asks). Where two cells of the region touch at a corner
-//! only, the walk stays with the cell it came along: regions are joined by sides, not corners.
+//! only, the walk stays with the cell it came along: regions are joined by sides, not corners. Rings that touch themselves there
+//! are parted, as OGC's simple features ask.
 //!
 //! # Example
 //! Cells that touch at a corner only belong to different regions:
@@ -16,6 +17,8 @@
 //! let islands = label_regions(Shape::new(2, 2), |i| land[i], |_, _| true);
 //! assert_eq!(islands, [1, 0, 0, 2]);
 //! ```
+
+use std::collections::HashMap;
 
 use crate::grid::Shape;
 
@@ -68,7 +71,7 @@ pub fn outlines(shape: Shape, label: &[u32]) -> Vec<Vec<Ring>> {
         for side in 0..4 {
             if label[i] != 0 && walked[i] >> side & 1 == 0 && is_border(shape, label, i, side) {
                 let ring = walk(shape, label, i, side, &mut walked);
-                rings[label[i] as usize - 1].push(ring);
+                rings[label[i] as usize - 1].extend(parted(ring));
             }
         }
     }
@@ -118,6 +121,25 @@ fn walk(shape: Shape, label: &[u32], first: usize, first_side: usize, walked: &m
     }
 }
 
+/// A ring that comes to a corner twice as rings that touch there: no ring touches itself.
+fn parted(ring: Ring) -> Vec<Ring> {
+    let (mut parts, mut open): (Vec<Ring>, Ring) = (Vec::new(), Vec::new());
+    let mut place = HashMap::new();
+    for corner in ring {
+        if let Some(&at) = place.get(&corner) {
+            let mut part = open.split_off(at);
+            for corner in &part {
+                place.remove(corner);
+            }
+            part.push(corner);
+            parts.push(part);
+        }
+        place.insert(corner, open.len());
+        open.push(corner);
+    }
+    parts
+}
+
 /// The corner from which a cell's side is walked, counter-clockwise with north up.
 fn start_corner(shape: Shape, i: usize, side: usize) -> [u32; 2] {
     let cell = shape.cell(i);
@@ -144,7 +166,7 @@ mod tests {
         let shape = Shape::new(4, 4);
         let label = label_regions(shape, |i| cells[i] == '#', |_, _| true);
         let rings = &outlines(shape, &label)[0];
-        assert_eq!(rings.len(), 1, "the hole is open at its corner: {rings:?}");
+        assert_eq!(rings.len(), 2, "the hole touches the outer ring at its corner: {rings:?}");
         let cells: Vec<char> = "#####...##...#####".chars().collect();
         let shape = Shape::new(3, 6);
         let label = label_regions(shape, |i| cells[i] == '#', |_, _| true);
@@ -165,6 +187,10 @@ mod tests {
                 assert!((total - cells).abs() < 1e-9, "region {k}: {total} of {cells} cells");
                 assert!(area(&rings[0]) >= cells && rings[1..].iter().all(|r| area(r) < 0.0));
                 assert!(rings.iter().all(|r| r.len() >= 5 && r.first() == r.last()));
+                for ring in rings {
+                    let once: std::collections::BTreeSet<_> = ring[1..].iter().collect();
+                    assert_eq!(once.len() + 1, ring.len(), "region {k}: a ring touches itself: {ring:?}");
+                }
             }
         }
     }

@@ -1,13 +1,13 @@
 //! The surface of least bending through given heights.
 //!
 //! # Model
-//! Least of E = ½ Σ { (1 − τ)(u_x² + u_y²) + τ (u_xx² + 2 u_xy² + u_yy²) } + ½ Σ c (u − d)², differences in units of cells: a membrane
-//! for τ = 0, a thin plate for τ = 1. Nodes that are held are not changed. Borders are natural: a difference that would need a node beyond
-//! the border, or nodata, is left out.
+//! Least of E = ½ Σ { (1 − τ)(u_x² + u_y²) + τ (u_xx² + 2 u_xy² + u_yy²) } + ½ Σ c (u − d)², differences in units of cells: a
+//! membrane for τ = 0, a thin plate for τ = 1. Nodes that are held are not changed. Borders are natural: a difference that would
+//! need a node beyond the border, or nodata, is left out.
 //!
 //! # Method
-//! Conjugate gradients with diagonal scaling on the normal equations, from the heights that come in; each step lowers E. Sources of heights
-//! every few tens of cells keep the number of steps to some hundreds. **Cost** about 15 ns a node and step.
+//! Conjugate gradients with diagonal scaling on the normal equations, from the heights that come in; each step lowers E. Sources
+//! of heights every few tens of cells keep the number of steps to some hundreds. **Cost** about 15 ns a node and step.
 //!
 //! # Sources
 //! Szeliski & Terzopoulos (1989), From splines to fractals.
@@ -15,7 +15,7 @@
 use crate::grid::Shape;
 use crate::parallel;
 
-/// What a surface is bent by.
+/// The energy of a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Plate<'a> {
     /// Rows and columns.
@@ -28,18 +28,18 @@ pub struct Plate<'a> {
     pub held: &'a [bool],
 }
 
-/// How it went.
+/// Result of a relaxation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Relaxed {
     /// Bending energy (τ = 1, no data) before.
     pub before: f64,
-    /// And after.
+    /// Bending energy after.
     pub after: f64,
     /// Steps taken.
     pub steps: usize,
 }
 
-/// Most steps; what is left of the gradient then is far below what one sees.
+/// Greatest number of steps; the gradient that is left then has no visible effect.
 const MOST_STEPS: usize = 2_000;
 
 /// ½ Σ (u_xx² + 2 u_xy² + u_yy²), differences in units of cells; NaN nodes are left out.
@@ -109,7 +109,8 @@ impl Plate<'_> {
         });
     }
 
-    /// Relaxes `u`, whose heights on nodes with weight are the data, until the gradient has fallen to `tolerance` of what it was.
+    /// Relaxes `u`, whose heights on nodes with weight are the data, until the gradient has fallen to the fraction `tolerance` of
+    /// its first value.
     pub fn relax(&self, u: &mut [f64], tolerance: f64) -> Relaxed {
         let n = u.len();
         let before = bending_energy(self.shape, u);

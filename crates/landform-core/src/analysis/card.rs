@@ -1,12 +1,14 @@
 //! The report card: how natural a landscape's numbers are.
 //!
 //! # Method
-//! Each measure has the range that it takes on real ground. Five of them tell erosion's ground from noise; a landscape straight out of the stream-power law gives itself away
-//! by fits that are too good. The verdict counts those; the other lines are for reading.
+//! Each measure has the range that it takes on real ground. Five of them distinguish eroded ground from noise. A landscape made
+//! by the stream-power law alone is recognised by fits that are too good. The verdict counts these measures; the other lines are
+//! for information.
 //!
 //! # Sources
-//! Ranges: least and greatest value over nine real elevation models of 10 m to 200 m cells (18 places for the integral, Hack's exponent, β, θ and the spectrum), measured by public
-//! tools with these definitions, those of drainage widened by what the tools differ by; the same on synthetic surfaces. docs/real_ground tells of each. A small sample: wide ranges, no
+//! Ranges: least and greatest value over nine real elevation models of 10 m to 200 m cells (18 places for the integral, Hack's
+//! exponent, β, θ and the spectrum), measured by public tools with these definitions, those of drainage widened by what the tools
+//! differ by; the same on synthetic surfaces. docs/real_ground describes each. The sample is small: the ranges are wide and no
 //! law.
 
 use serde::{Deserialize, Serialize};
@@ -24,7 +26,7 @@ pub struct CardLine {
     pub natural: [f64; 2],
     /// Whether the value lies within; none if it could not be measured.
     pub inside: Option<bool>,
-    /// Whether the verdict asks for this line.
+    /// Whether the verdict counts this line.
     pub decides: bool,
     /// What it means, in a sentence.
     pub meaning: String,
@@ -32,7 +34,7 @@ pub struct CardLine {
     pub source: String,
 }
 
-/// What the card comes to.
+/// The verdict of a card.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// In a few words.
@@ -41,7 +43,7 @@ pub struct Verdict {
     pub reason: String,
 }
 
-/// Less ground has no statistics.
+/// With fewer nodes there are no statistics.
 const LEAST_NODES: usize = 1_000;
 
 const NINE: &str = "9 real places";
@@ -93,7 +95,7 @@ pub fn report_card(metrics: &Metrics) -> Vec<CardLine> {
         .collect()
 }
 
-/// What the card of a landscape comes to.
+/// The verdict of a landscape's card.
 pub fn verdict(metrics: &Metrics, card: &[CardLine]) -> Verdict {
     let say = |title: &str, reason: String| Verdict { title: title.into(), reason };
     let deciding: Vec<&CardLine> = card.iter().filter(|l| l.decides && l.inside.is_some()).collect();

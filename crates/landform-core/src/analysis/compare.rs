@@ -22,11 +22,11 @@ pub struct Comparison {
     pub greatest_raise: f64,
     /// Greatest cut, m (positive).
     pub greatest_cut: f64,
-    /// Volume that is gone, m³.
+    /// Volume removed, m³.
     pub eroded: f64,
-    /// Volume that was added, m³.
+    /// Volume added, m³.
     pub deposited: f64,
-    /// Added less gone, m³.
+    /// Volume added less volume removed, m³.
     pub net: f64,
     /// Share of nodes that did not change.
     pub unchanged: f64,

@@ -1,9 +1,9 @@
-//! Dunes: how high, how far apart, which way their crests run, and what a dune expert would call them.
+//! Dunes: height, spacing, direction of crests, and type.
 //!
 //! # Sources
-//! Werner (1995) for the measures of a slab field; Fryberger (1979) and Wasson & Hyde (1983) for what wind regime and sand supply make of
-//! it: steady winds barchans (little sand) or transverse dunes (much), two winds linear dunes along their resultant, many winds stars.
-//! Pytel (2015), table 4.1, for the share of sites near repose.
+//! Werner (1995) for the measures of a slab field; Fryberger (1979) and Wasson & Hyde (1983) for the types by wind regime and
+//! sand supply: steady winds make barchans (little sand) or transverse dunes (much), two winds linear dunes along their
+//! resultant, many winds stars. Pytel (2015), table 4.1, for the share of sites near repose.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ use crate::grid::Grid;
 use crate::verb::Rose;
 use crate::{math, parallel};
 
-/// What a dune field is called.
+/// Type of a dune field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DuneClass {
@@ -24,14 +24,14 @@ pub enum DuneClass {
     Linear,
     /// Peaks with slip faces on three sides and more, under winds from many.
     Star,
-    /// No dunes to speak of.
+    /// No dunes.
     None,
 }
 
 /// Measures of a dune field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Dunes {
-    /// Its name.
+    /// Type of the dunes.
     pub class: DuneClass,
     /// Mean depth of sand, m.
     pub sand: f64,
@@ -43,7 +43,7 @@ pub struct Dunes {
     pub spacing: Option<f64>,
     /// Compass direction along which crests run, degrees from 0 to 180.
     pub crest_azimuth: f64,
-    /// How much of all slope is across the crests against along them, 0 (none) to 1.
+    /// Share of slope across the crests relative to along them, 0 (none) to 1.
     pub alignment: f64,
     /// Power of waves along the wind over that across it, ⟨kx²⟩ / ⟨ky²⟩.
     pub anisotropy: f64,
@@ -51,17 +51,17 @@ pub struct Dunes {
     pub bare_share: f64,
     /// Share of sites whose steepest side is within a tenth of the angle of repose.
     pub near_repose_share: f64,
-    /// Number of directions that slip faces look in.
+    /// Number of directions that slip faces face.
     pub slip_directions: usize,
     /// RDP/DP of the winds: length of their mean vector.
     pub steadiness: f64,
     /// Angle between crests and the resultant of the winds, degrees from 0 to 90.
     pub crest_to_wind: f64,
-    /// How far the shelter by which sand was moved is from a shadow of 15 degrees; none where it is not known.
+    /// Difference of the model's shelter from a shadow of 15 degrees; none where the shelter is not known.
     pub shadow: Option<ShadowError>,
 }
 
-/// Shelter by another rule against the geometric shadow, as shares of sites where they disagree.
+/// Shelter by another rule compared with the geometric shadow: shares of sites where they differ.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ShadowError {
     /// Of all sites.
@@ -70,7 +70,7 @@ pub struct ShadowError {
     pub flanks: f64,
 }
 
-/// Less sand than this part of a cell is none.
+/// Sand thinner than this part of a cell counts as none.
 const BARE: f64 = 0.02;
 /// Bins of slip faces' directions.
 const BINS: usize = 36;
@@ -148,8 +148,8 @@ fn class(d: &Dunes, cell: f64) -> DuneClass {
     }
 }
 
-/// Holds `shelter` (parts of the winds) against the shadows of 15 degrees that the ground casts in each wind. Peaks and troughs are told
-/// by the range of heights within half a `spacing`. **Cost** O(n · relief / cell).
+/// Compares `shelter` (parts of the winds) with the shadows of 15 degrees that the ground casts in each wind. Peaks and troughs
+/// follow from the range of heights within half a `spacing`. **Cost** O(n · relief / cell).
 pub fn shadow_error(grid: &Grid, z: &[f64], shelter: &[f64], rose: &Rose, spacing: f64, torus: bool) -> ShadowError {
     let cell = grid.spacing[0].min(grid.spacing[1]);
     let fall = math::tan(15f64.to_radians()) * cell;
@@ -212,7 +212,7 @@ fn moved(grid: &Grid, r: i64, c: i64, torus: bool) -> Option<usize> {
     ((0..rows).contains(&r) && (0..cols).contains(&c)).then(|| grid.shape.index(r as usize, c as usize))
 }
 
-/// Number of directions in which steep sand looks: maxima of the smoothed rose of slip faces, a quarter of the greatest and more, and
+/// Number of directions that steep sand faces: maxima of the smoothed rose of slip faces, a quarter of the greatest and more, and
 /// not nearer to each other than 50 degrees.
 fn slip_directions(
     slopes: &[crate::algo::derivative::Gradient],

@@ -9,7 +9,7 @@ use crate::units::MM_PER_YEAR;
 use crate::verb::Source;
 use crate::{Result, math};
 
-/// What to look for.
+/// The search for features.
 #[derive(Clone, Debug)]
 pub struct FeatureSearch {
     /// Kinds.
@@ -42,10 +42,10 @@ impl FeatureSearch {
             doi: "10.1002/esp.403",
         },
     ];
-    /// Rainfall where nothing is said, m/s: 1 m/yr.
+    /// Rainfall where none is given, m/s: 1 m/yr.
     pub const USUAL_RAIN: f64 = 1_000.0 * MM_PER_YEAR;
 
-    /// One kind, with what is usual else.
+    /// A search for one kind, with the defaults.
     pub fn of(kind: FeatureKind) -> Self {
         Self {
             kinds: vec![kind],
@@ -59,10 +59,10 @@ impl FeatureSearch {
     }
 }
 
-/// Finds features on a terrain. Lakes, basins and lines of one elevation of a mesh are those of the raster that stands for it.
+/// Finds features on a terrain. Lakes, basins and contours of a mesh are those of the raster made of it.
 ///
 /// # Errors
-/// As [`Rasterize::rasterized`].
+/// Where [`Rasterize::rasterized`] fails.
 pub fn find_features<T: Rasterize>(terrain: &T, search: &FeatureSearch) -> Result<Features> {
     let map = map_area(terrain);
     let least = search.least_area.unwrap_or(map / 2_000.0);
@@ -107,7 +107,8 @@ fn map_area<T: Rasterize>(terrain: &T) -> f64 {
     (side(0) * side(1)).max(f64::MIN_POSITIVE)
 }
 
-/// Rounds to a thousandth of a node's distance or to the centimetre, whichever is finer; it keeps order, so that no river runs uphill.
+/// Rounds to a thousandth of a node's distance or to the centimetre, whichever is finer; it keeps order, so that no river runs
+/// uphill.
 #[derive(Clone, Copy)]
 struct Rounding(f64);
 

@@ -1,13 +1,14 @@
-//! Pits and peaks, sinks and closed heights: what tells rivers' ground from noise.
+//! Pits and peaks, sinks and closed heights, which distinguish eroded ground from noise.
 //!
 //! # Method
-//! Water has ways out of eroded ground, and none of that into it: turned upside down it is full of hollows, as it is not when it stands upright. Noise is
-//! alike both ways. *Sinks*: nodes that would be under water if every hollow were filled; *asymmetry*: (share upside down − share) / sum.
-//! *Pits* and *peaks*: nodes or flats without a lower (higher) neighbour, which touch neither border nor nodata.
+//! Eroded ground drains, so it has few depressions; turned upside down it has many. Noise has as many either way. *Sinks*: nodes
+//! that would be under water if every depression were filled; *asymmetry*: (share upside down − share) / sum. *Pits* and *peaks*:
+//! nodes or flats without a lower (higher) neighbour, which touch neither border nor nodata.
 //!
 //! # Sources
-//! Definitions as in the reference measurements of nine real places and four synthetic surfaces (docs/real_ground): nature has sinks on at most 0.12 of the
-//! ground and an asymmetry of at least 0.23, noise 0.19 to 0.33 and about 0; at most 15 peaks per 1000 nodes, noise 22 to 44.
+//! Definitions as in the reference measurements of nine real places and four synthetic surfaces (docs/real_ground): nature has
+//! sinks on at most 0.12 of the ground and an asymmetry of at least 0.23, noise 0.19 to 0.33 and about 0; at most 15 peaks per
+//! 1000 nodes, noise 22 to 44.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,10 +16,10 @@ use crate::algo::flow::Flow;
 use crate::grid::{Grid, Neighbours, RasterDomain, Shape};
 use crate::parallel;
 
-/// Hollows and heights of a raster.
+/// Depressions and closed heights of a raster.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Form {
-    /// Share of nodes under water if every hollow were filled.
+    /// Share of nodes under water if every depression were filled.
     pub sinks: f64,
     /// The same of the ground upside down.
     pub sinks_upside_down: f64,
@@ -135,7 +136,7 @@ fn laplacian_skew(shape: Shape, z: &[f64]) -> f64 {
     moment(3) / (variance * variance.sqrt())
 }
 
-/// Routes flow over a raster and tells its form.
+/// Routes flow over a raster and returns its form.
 pub fn form_of(grid: &Grid, domain: &RasterDomain, z: &[f64]) -> Form {
     let (mut flow, mut area) = (Flow::new(), vec![0.0; domain.len()]);
     flow.route(domain, z, &mut area);

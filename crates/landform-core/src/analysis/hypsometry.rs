@@ -1,12 +1,13 @@
-//! How much ground lies how high.
+//! Hypsometry: the area of ground at each height.
 //!
 //! # Method
-//! The curve is the sorted elevations themselves. Its shape is judged on 101 points smoothed by a Gaussian of five: the signs of the second
-//! derivative from the heights down, where it is at least a tenth of its greatest amount.
+//! The curve is the sorted elevations themselves. Its shape is judged on 101 points smoothed by a Gaussian of five: the signs of
+//! the second derivative from the heights down, where it is at least a tenth of its greatest amount.
 //!
 //! # Sources
-//! Strahler (1952): curve, integral, family of model curves (the seed's Eq. 2.9) and classes; (mean − min)/(max − min) is the exact integral of the curve
-//! (Pike & Wilson 1971). Harlin (1978): skew of the curve taken as a density. Pytel's thesis 2.4.1 for unusual curves.
+//! Strahler (1952): curve, integral, family of model curves (Eq. 2.9 of Pytel's thesis) and classes; (mean − min)/(max − min) is
+//! the exact integral of the curve (Pike & Wilson 1971). Harlin (1978): skew of the curve taken as a density. Pytel's thesis
+//! 2.4.1 for unusual curves.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +18,7 @@ use crate::{math, parallel};
 pub struct Hypsometry {
     /// (mean − min)/(max − min); NaN for flat ground.
     pub integral: f64,
-    /// The same with elevations cut to their 0.1st and 99.9th percentiles: it does not hang on two cells.
+    /// The same with elevations cut to their 0.1st and 99.9th percentiles: it does not depend on two cells.
     pub integral_clipped: f64,
     /// Relative elevation (0 to 1) above which each of 0, 1/100, …, 1 of the area lies.
     pub curve: Vec<f64>,
@@ -27,7 +28,7 @@ pub struct Hypsometry {
     pub elevation_skew: f64,
     /// Strahler's model curve.
     pub model: ModelCurve,
-    /// What kind of curve it is.
+    /// Class of the curve.
     pub class: HypsometricClass,
     /// Why, in a phrase.
     pub reason: String,
@@ -53,17 +54,17 @@ impl ModelCurve {
     }
 }
 
-/// Strahler's stages, and what fits none.
+/// Strahler's stages, and a class for curves that fit none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum HypsometricClass {
-    /// Young: most of the ground is high still. Integral above 0.60.
+    /// Young: most of the ground is still high. Integral above 0.60.
     Inequilibrium,
     /// Mature: integral 0.35 to 0.60.
     Equilibrium,
     /// Old, with isolated heights: integral below 0.35.
     Monadnock,
-    /// Not what erosion by water leaves.
+    /// A curve that erosion by water does not leave.
     Unusual,
     /// No relief.
     Flat,
@@ -82,7 +83,7 @@ impl HypsometricClass {
     }
 }
 
-/// Hypsometry of elevations that stand for equal areas; NaN is passed over. **Cost** O(n log n).
+/// Hypsometry of elevations of equal areas; NaN is ignored. **Cost** O(n log n).
 ///
 /// ```
 /// use landform_core::analysis::hypsometry;
@@ -254,7 +255,7 @@ fn bends(curve: &[f64]) -> Vec<bool> {
             (sxx * sy - sx * sxy) / (s * sxx - sx * sx)
         })
         .collect();
-    // The outermost points hang on the few highest and lowest cells.
+    // The outermost points depend on the few highest and lowest cells.
     let second: Vec<f64> = (8..n - 8).map(|i| smooth[i + 5] + smooth[i - 5] - 2.0 * smooth[i]).collect();
     let greatest = second.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut bends: Vec<bool> = Vec::new();

@@ -1,4 +1,4 @@
-//! Everything that is measured of a raster at once: what the report tells.
+//! All measures of a raster at once, as the report shows them.
 
 use serde::{Deserialize, Serialize};
 
@@ -59,7 +59,7 @@ pub struct Metrics {
     pub sea_level: Option<f64>,
 }
 
-/// What is drawn rather than told.
+/// Measures that are drawn as pictures.
 #[derive(Clone, Debug)]
 pub struct Drawings {
     /// The spectrum on logarithmic axes, [`SPECTRUM_PLOT`]² values; see [`Density::log_plot`](super::Density::log_plot).

@@ -30,7 +30,7 @@ pub use network::{
     network_scaling, scaling, slope_area, slope_area_of,
 };
 pub use spectrum::{
-    Density, LEAST_WINDOW, LogBin, PowerLaw, Ring, SeedFit, Spectrum, Transects, Window, density, largest_square,
+    Density, LEAST_WINDOW, LogBin, PowerLaw, Ring, Spectrum, ThesisFit, Transects, Window, density, largest_square,
     of_density, seed_fit, spectrum, transects,
 };
 pub use summary::{Summary, summary};

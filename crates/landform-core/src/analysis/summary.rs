@@ -1,4 +1,4 @@
-//! The numbers that anyone asks of a terrain first.
+//! A summary of a terrain in a few numbers.
 
 use serde::{Deserialize, Serialize};
 

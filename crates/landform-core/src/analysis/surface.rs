@@ -1,8 +1,8 @@
 //! Slopes, directions, curvature and relief of a raster as numbers.
 //!
 //! # Sources
-//! Horn (1981) for slope and aspect, over nodes whose eight neighbours have data; Evans (1972) for curvature; Pytel's thesis, Table 4.1, for the share of slopes within
-//! 10 % of the angle of repose.
+//! Horn (1981) for slope and aspect, over nodes whose eight neighbours have data; Evans (1972) for curvature; Pytel's thesis,
+//! Table 4.1, for the share of slopes within 10 % of the angle of repose.
 
 use serde::{Deserialize, Serialize};
 
@@ -38,7 +38,7 @@ pub struct Surface {
     pub aspect_rose: [f64; 8],
     /// Standard deviation of profile curvature, 1/m.
     pub profile_curvature: f64,
-    /// Share of sloping nodes whose contours bulge outwards (spurs); the rest are hollows.
+    /// Share of sloping nodes whose contours bulge outwards (spurs); the rest are concave.
     pub spur_share: f64,
     /// Mean relief within windows of 11 × 11 nodes, m.
     pub local_relief: f64,

@@ -2,8 +2,8 @@
 
 use super::{Feature, Geometry, Polygon};
 
-/// Marks the places that lie on one of the features (inside, for areas) or within `buffer` metres of it. **Cost** for every stretch of a line
-/// the places in the cells that it passes; for every area its edges times the places in its rectangle.
+/// Marks the places that lie on one of the features (inside, for areas) or within `buffer` metres of it. **Cost** for every
+/// stretch of a line the places in the cells that it passes; for every area its edges times the places in its rectangle.
 pub fn near<'a>(features: impl Iterator<Item = &'a Feature>, buffer: f64, places: &[[f64; 2]]) -> Vec<bool> {
     let mut marked = vec![false; places.len()];
     let buckets = Buckets::new(places, buffer);

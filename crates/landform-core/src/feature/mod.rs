@@ -1,7 +1,7 @@
-//! Features: things with a name, a kind and a place, such as rivers, lakes and coasts.
+//! Features: objects with a name, a kind and a geometry, such as rivers, lakes and coasts.
 //!
-//! A stage finds them, they stay with the landscape, later stages read them, exports write them. A feature keeps its id when it is
-//! found again elsewhere nearby ([`Features::keep_ids`]).
+//! A stage finds them, the landscape keeps them, later stages read them, exports write them. A feature that is found again nearby
+//! keeps its id ([`Features::keep_ids`]).
 //!
 //! ```
 //! use landform_core::feature::{Feature, FeatureKind, Geometry, near};
@@ -110,7 +110,7 @@ pub enum Property {
     Place([f64; 2]),
 }
 
-/// A thing with a name, a kind and a place.
+/// An object with a name, a kind and a geometry.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Feature {
     /// Name among its kind.
@@ -119,7 +119,7 @@ pub struct Feature {
     pub kind: FeatureKind,
     /// Where it lies.
     pub geometry: Geometry,
-    /// What is known of it, in order.
+    /// Properties, in order.
     pub properties: Vec<(String, Property)>,
 }
 

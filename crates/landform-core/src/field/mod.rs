@@ -26,14 +26,14 @@ pub struct Key<T> {
     pub name: &'static str,
     /// Unit of the stored values.
     pub unit: &'static str,
-    /// What it means, in a phrase.
+    /// Meaning, in a phrase.
     pub meaning: &'static str,
-    /// Where its values stand.
+    /// Nodes, columns or voxels that have its values.
     pub at: At,
     kind: std::marker::PhantomData<T>,
 }
 
-/// Where the values of a field stand.
+/// Parts of a terrain that the values of a field belong to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum At {
@@ -145,7 +145,7 @@ pub struct Fields {
 }
 
 impl Fields {
-    /// No fields yet, for so many nodes.
+    /// No fields yet, for this many nodes.
     pub fn sized(nodes: usize) -> Self {
         Self { nodes, all: BTreeMap::new() }
     }
@@ -163,7 +163,7 @@ impl Fields {
         self.all.get(name)
     }
 
-    /// Puts a field, replacing one of the same name.
+    /// Adds a field, replacing one of the same name.
     ///
     /// # Errors
     /// [`Error::Shape`] if there is not one value a node.
@@ -171,7 +171,7 @@ impl Fields {
         self.insert_values(key.name, T::wrap(values))
     }
 
-    /// Puts a field under a name that no key has: a user's own.
+    /// Adds a field under a name of the user's own, without a key.
     ///
     /// # Errors
     /// [`Error::Shape`] if there is not one value a node.

@@ -50,7 +50,7 @@ pub const POSITION_INDEX: Key<f64> = Key::new(
 );
 /// Relief of the surroundings.
 pub const LOCAL_RELIEF: Key<f64> = Key::new("local_relief", "m", "highest less lowest elevation of the ground around");
-/// What the sun or the wind reaches.
+/// Exposure to the sun or the wind.
 pub const EXPOSURE: Key<f64> = Key::new("exposure", "1", "1 where the sun or the wind reaches the ground, 0 in shadow");
 /// Drainage area spread by D-infinity.
 pub const SPREAD_AREA: Key<f64> =
@@ -71,7 +71,7 @@ pub const SHELTER: Key<f64> = Key::new(
     "1",
     "part of the winds, by weight, from which the place is sheltered by the rules that moved the sand",
 );
-/// When the sea came.
+/// Round in which the sea came.
 pub const SHORE_AGE: Key<u32> =
     Key::new("shore_age", "1", "round in which the sea took the place; 0 where it did not, or was before");
 /// Level set of a coast.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{Link, Neighbours};
 use crate::parallel;
 
-/// What a node is to flow.
+/// Status of a node for flow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[repr(u8)]
 pub enum Status {
@@ -23,12 +23,12 @@ pub const NO_SLOT: u8 = u8::MAX;
 
 /// The little that graph algorithms need; implemented by rasters and by the mesh's graph.
 ///
-/// Links of a node sit in numbered *slots*. Slots, like node indices, follow from the geometry alone, so that no result
-/// depends on the order in which a mesh's sites were given. Masked nodes are nobody's neighbour.
+/// Links of a node sit in numbered *slots*. Slots, like node indices, follow from the geometry alone, so that no result depends
+/// on the order in which a mesh's sites were given. Masked nodes are no node's neighbour.
 ///
 /// Three methods must be written, and three of [`Neighbours`]; the kernels follow from them, for graphs that have no faster ones.
 pub trait Domain: Neighbours + Clone + Send + 'static {
-    /// Area that a node stands for, m².
+    /// Area of a node's cell, m².
     fn area(&self, node: usize) -> f64;
 
     /// Status of every node.
@@ -74,6 +74,11 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
         }
     }
 
+    /// The neighbour down the steepest slope from a node, and its slot; none without a lower one. Ties go to the lower slot.
+    fn steepest(&self, elevation: &[f64], node: usize) -> Option<(usize, u8)> {
+        steepest_link(self, elevation, node).map(|l| (l.to, l.slot))
+    }
+
     /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
     /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
@@ -81,8 +86,8 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
             for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
                 let node = first + k;
                 let is_interior = self.status()[node] == Status::Interior;
-                let steepest = if is_interior { steepest_link(self, elevation, node) } else { None };
-                (*r, *s) = steepest.map_or((node as u32, NO_SLOT), |l| (l.to as u32, l.slot));
+                let steepest = if is_interior { self.steepest(elevation, node) } else { None };
+                (*r, *s) = steepest.map_or((node as u32, NO_SLOT), |(to, slot)| (to as u32, slot));
             }
         });
     }

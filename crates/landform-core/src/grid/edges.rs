@@ -1,4 +1,4 @@
-//! What happens at the four sides of a raster.
+//! Boundary conditions at the four sides of a raster.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -19,7 +19,7 @@ pub enum Side {
     West,
 }
 
-/// What a side does.
+/// Boundary condition of a side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Edge {
@@ -28,11 +28,11 @@ pub enum Edge {
     Open,
     /// Nothing crosses.
     Closed,
-    /// What leaves enters at the opposite side.
+    /// Water and sediment that leave enter at the opposite side.
     Periodic,
 }
 
-/// What the four sides do. Periodic sides come in opposite pairs.
+/// Boundary conditions of the four sides. Periodic sides come in opposite pairs.
 ///
 /// Water leaves over open sides alone:
 ///

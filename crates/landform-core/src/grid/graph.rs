@@ -1,4 +1,4 @@
-//! An irregular planar graph with areas: a mesh as flow sees it.
+//! An irregular planar graph with areas: the graph of a mesh.
 
 use std::ops::Range;
 
@@ -128,6 +128,21 @@ impl Domain for Graph {
         self.back[self.start[node] as usize + slot as usize]
     }
 
+    #[inline]
+    fn steepest(&self, elevation: &[f64], node: usize) -> Option<(usize, u8)> {
+        let z = elevation[node];
+        let row = self.row(node);
+        let (mut best, mut at) = (0.0, usize::MAX);
+        let links = self.to[row.clone()].iter().zip(&self.inverse_distance[row.clone()]);
+        for (q, (&to, &inverse)) in links.enumerate() {
+            let slope = (z - elevation[to as usize]) * inverse;
+            let steeper = slope > best;
+            best = if steeper { slope } else { best };
+            at = if steeper { q } else { at };
+        }
+        (at != usize::MAX).then(|| (self.to[row.start + at] as usize, at as u8))
+    }
+
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
         parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
             for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
@@ -136,19 +151,8 @@ impl Domain for Graph {
                 if self.status[node] != Status::Interior {
                     continue;
                 }
-                let z = elevation[node];
-                let row = self.row(node);
-                let (mut best, mut at) = (0.0, usize::MAX);
-                for (q, (&to, &inverse)) in
-                    self.to[row.clone()].iter().zip(&self.inverse_distance[row.clone()]).enumerate()
-                {
-                    let slope = (z - elevation[to as usize]) * inverse;
-                    let steeper = slope > best;
-                    best = if steeper { slope } else { best };
-                    at = if steeper { q } else { at };
-                }
-                if at != usize::MAX {
-                    (*r, *s) = (self.to[row.start + at], at as u8);
+                if let Some((to, slot)) = self.steepest(elevation, node) {
+                    (*r, *s) = (to as u32, slot);
                 }
             }
         });

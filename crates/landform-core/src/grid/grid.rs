@@ -24,7 +24,7 @@ pub struct Grid {
     pub frame: Option<Frame>,
 }
 
-/// The grid that another is a window of: what depends on the whole extent, and positions to the last bit, follow from it.
+/// The whole grid of a window. Values that depend on the whole extent, and positions to the last bit, follow from it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
     /// Rows and columns of the whole.
@@ -68,7 +68,7 @@ impl Grid {
     /// The grid that covers `size` metres (x, y) with square cells as near to `cell_size` as fits a whole number of them.
     ///
     /// # Errors
-    /// As [`Grid::new`]; also a size that is not positive and finite.
+    /// Where [`Grid::new`] fails, or if the size is not positive and finite.
     pub fn covering(size: [f64; 2], cell_size: f64) -> Result<Self> {
         if size.iter().any(|s| !(s.is_finite() && *s > 0.0)) {
             return Err(Error::parameter("size", format!("{} x {} m", size[0], size[1]), "> 0 m"));
@@ -102,11 +102,21 @@ impl Grid {
     #[inline]
     pub fn position(&self, index: usize) -> [f64; 2] {
         let cell = self.shape.cell(index);
-        if let Some(Frame { origin, first: [row, col], .. }) = self.frame {
-            let (row, col) = ((row + cell.row) as f64, (col + cell.col) as f64);
-            return [origin[0] + col * self.spacing[0], origin[1] - row * self.spacing[1]];
-        }
-        [self.origin[0] + cell.col as f64 * self.spacing[0], self.origin[1] - cell.row as f64 * self.spacing[1]]
+        [self.x(cell.col), self.y(cell.row)]
+    }
+
+    /// x of a column, m.
+    #[inline]
+    pub fn x(&self, col: usize) -> f64 {
+        let (west, first) = self.frame.map_or((self.origin[0], 0), |frame| (frame.origin[0], frame.first[1]));
+        west + (first + col) as f64 * self.spacing[0]
+    }
+
+    /// y of a row, m.
+    #[inline]
+    pub fn y(&self, row: usize) -> f64 {
+        let (north, first) = self.frame.map_or((self.origin[1], 0), |frame| (frame.origin[1], frame.first[0]));
+        north - (first + row) as f64 * self.spacing[1]
     }
 
     /// Column and row, as real numbers, of a position.
@@ -179,8 +189,8 @@ impl Grid {
         })
     }
 
-    /// First and last row and column of the nodes within a rectangle (its south-west and north-east corner, m) and a margin of it, as far as
-    /// the grid goes; none if the rectangle and the grid have no node in common.
+    /// First and last row and column of the nodes within a rectangle (its south-west and north-east corner, m) and a margin of
+    /// it, as far as the grid goes; none if the rectangle and the grid have no node in common.
     pub fn nodes_within(&self, [sw, ne]: [[f64; 2]; 2], margin: f64) -> Option<[[usize; 2]; 2]> {
         let from = self.col_row([sw[0] - margin, ne[1] + margin]);
         let to = self.col_row([ne[0] + margin, sw[1] - margin]);
@@ -193,6 +203,20 @@ impl Grid {
         some.then_some([[north as usize, west as usize], [south as usize, east as usize]])
     }
 
+    /// The grid as a file of its system has it: local metres that were made from degrees as degrees again.
+    pub fn in_its_system(&self) -> Self {
+        let Some(degrees) = self.georeference.degrees else { return self.clone() };
+        let georeference = Georeference {
+            epsg: degrees.epsg,
+            geographic: true,
+            registration: self.georeference.registration,
+            keys: self.georeference.keys.clone(),
+            degrees: None,
+        };
+        let spacing = [0, 1].map(|k| self.spacing[k] / degrees.metres[k]);
+        Self { spacing, origin: degrees.of(self.origin), georeference, frame: None, ..self.clone() }
+    }
+
     /// Area that one node stands for, m².
     pub fn cell_area(&self) -> f64 {
         self.spacing[0] * self.spacing[1]
@@ -201,7 +225,7 @@ impl Grid {
     /// A grid over the same ground with another shape.
     ///
     /// # Errors
-    /// As [`Grid::new`].
+    /// Where [`Grid::new`] fails.
     pub fn with_cell_size(&self, cell_size: f64) -> Result<Self> {
         let extent = self.extent();
         let size = [extent[0].max(self.spacing[0]), extent[1].max(self.spacing[1])];
@@ -212,7 +236,7 @@ impl Grid {
     /// The same rectangle with another number of rows and columns.
     ///
     /// # Errors
-    /// As [`Grid::new`].
+    /// Where [`Grid::new`] fails.
     pub fn with_shape(&self, rows: usize, cols: usize) -> Result<Self> {
         let spacing = |k: usize, n: usize| {
             if n > 1 && self.extent()[k] > 0.0 { self.extent()[k] / (n - 1) as f64 } else { self.spacing[k] }
@@ -223,7 +247,7 @@ impl Grid {
     /// Another spacing and shape from the same north-west corner.
     ///
     /// # Errors
-    /// As [`Grid::new`].
+    /// Where [`Grid::new`] fails.
     pub fn with_spacing(&self, spacing: [f64; 2], shape: Shape) -> Result<Self> {
         Ok(self.place(Self::new(shape, spacing)?))
     }

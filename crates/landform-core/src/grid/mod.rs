@@ -1,4 +1,4 @@
-//! Index space: shapes, borders, places on the Earth, and the graph that flow runs over.
+//! Index space: shapes, borders, georeference, and the graph that flow runs over.
 //!
 //! The first node of a grid lies in the north-west, the last one in the south-east:
 //!
@@ -26,7 +26,7 @@ mod shape;
 pub(crate) use domain::is_below;
 pub use domain::{Domain, NO_SLOT, Status};
 pub use edges::{Edge, Edges, Side};
-pub use georeference::{Georeference, Registration};
+pub use georeference::{Degrees, GeoKeys, Georeference, Registration};
 pub use graph::Graph;
 pub(crate) use graph::Links;
 pub use grid::{Frame, Grid};

@@ -1,4 +1,4 @@
-//! Nodes and their neighbours: what every graph has, of flow, of agents, of voxels.
+//! Nodes and their neighbours: the common part of the graphs of flow, agents and voxels.
 
 /// A neighbour: the node, how far, and in which of the centre's slots.
 #[derive(Clone, Copy, Debug, PartialEq)]

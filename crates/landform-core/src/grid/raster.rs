@@ -166,11 +166,12 @@ impl RasterDomain {
             steepest_kernel(rows, cols, inverse, slots);
         }
         let status = &self.status[row * cols..(row + 1) * cols];
-        for col in 0..cols {
-            if !inner || col == 0 || col + 1 == cols {
-                let node = row * cols + col;
-                slots[col] = steepest_link(self, elevation, node).map_or(NO_SLOT, |l| l.slot);
-            }
+        // The kernel leaves out the first and the last column.
+        let by_link = |col: usize| steepest_link(self, elevation, row * cols + col).map_or(NO_SLOT, |l| l.slot);
+        if inner {
+            (slots[0], slots[cols - 1]) = (by_link(0), by_link(cols - 1));
+        } else {
+            slots.iter_mut().enumerate().for_each(|(col, slot)| *slot = by_link(col));
         }
         for (slot, &s) in slots.iter_mut().zip(status) {
             *slot = if s == Status::Interior { *slot } else { NO_SLOT };

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Rows and columns of a raster; row-major, row 0 is the north edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Shape {
     /// Number of rows.
     pub rows: usize,

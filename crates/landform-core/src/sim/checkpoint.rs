@@ -1,8 +1,8 @@
 //! One container for checkpoints and the cache: compressed, versioned, checksummed, named.
 //!
-//! Layout: 8 bytes magic, 32 bytes SHA-256 of the rest, then kind and key (each a byte of length and text), then the
-//! payload (postcard) as an LZ4 frame, written as it is made, so that no second copy of the value stands in memory. Floats keep every bit. Anything foreign, truncated or changed is an
-//! error that says so.
+//! Layout: 8 bytes magic, 32 bytes SHA-256 of the rest, then kind and key (each a byte of length and text), then the payload
+//! (postcard) as an LZ4 frame, written as it is made, so that no second copy of the value stands in memory. Floats keep every
+//! bit. Anything foreign, truncated or changed is an error that says so.
 
 use lz4_flex::frame::{FrameDecoder, FrameEncoder};
 use serde::Serialize;

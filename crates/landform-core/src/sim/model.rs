@@ -1,4 +1,4 @@
-//! A terrain with processes and a clock, that can be stepped, looked at and changed.
+//! A terrain with processes and a clock, which can be stepped, examined and changed.
 
 use std::sync::Arc;
 
@@ -22,12 +22,12 @@ pub(super) struct Clock {
     pub(super) volume_start: f64,
 }
 
-/// What a step did.
+/// Result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepReport {
     /// Length of the step, s.
     pub dt: f64,
-    /// What all processes did together.
+    /// Volumes that all processes moved.
     pub change: Change,
 }
 
@@ -45,11 +45,11 @@ struct Saved<T> {
     states: Vec<(String, Vec<u8>)>,
 }
 
-/// A terrain, the processes that act on it with their states, and a clock. It owns all it needs, so that it can be kept,
-/// sent to another thread, stepped by whoever holds it, and changed in between.
+/// A terrain, the processes that act on it with their states, and a clock. It owns all its data, so that it can be kept, sent to
+/// another thread, and changed between steps.
 ///
-/// In a step processes act one after the other in the order in which they were added (sequential splitting). After each, a guard looks
-/// for numbers that are not finite. The same calls give the same bits.
+/// In a step processes act one after the other in the order in which they were added (sequential splitting). After each, a guard
+/// looks for numbers that are not finite. The same calls give the same bits.
 ///
 /// ```
 /// use landform_core::grid::{Grid, Shape};
@@ -75,7 +75,7 @@ pub struct Model<T: Terrain> {
     environment: Arc<Environment>,
     pub(super) cancel: CancelToken,
     pub(super) clock: Clock,
-    /// Whether the terrain was changed from outside since processes last looked at it.
+    /// Whether the terrain was changed from outside since the processes last read it.
     stale: bool,
 }
 
@@ -124,19 +124,19 @@ impl<T: Terrain> Model<T> {
         self
     }
 
-    /// Sea level, rain, winds and materials, where a process says nothing itself.
+    /// Sea level, rain, winds and materials, for processes that have no values of their own.
     pub fn environment(mut self, environment: Arc<Environment>) -> Self {
         self.environment = environment;
         self
     }
 
-    /// Lets somebody else interrupt long steps.
+    /// Sets the token by which long steps can be interrupted.
     pub fn cancel(mut self, token: CancelToken) -> Self {
         self.cancel = token;
         self
     }
 
-    /// Begins at a time (s) after so many steps, rather than at 0.
+    /// Begins at a time (s) and a number of steps, rather than at 0.
     pub fn begin_at(mut self, time: f64, steps: u64) -> Self {
         (self.clock.time, self.clock.steps) = (time, steps);
         self
@@ -173,7 +173,7 @@ impl<T: Terrain> Model<T> {
         self.processes.iter().map(|p| p.name())
     }
 
-    /// Whether nothing is left to do: there are processes and all say so.
+    /// Whether nothing is left to do: there are processes, and all are at rest.
     pub fn is_at_rest(&self) -> bool {
         !self.processes.is_empty() && self.processes.iter().all(|p| p.is_at_rest(&self.terrain))
     }
@@ -181,7 +181,7 @@ impl<T: Terrain> Model<T> {
     /// Starts the processes, if they have not started; the first step does so too.
     ///
     /// # Errors
-    /// What a process needs and does not find: a map, a field, an outlet.
+    /// If a process does not find what it needs: a map, a field, an outlet.
     pub fn start(&mut self) -> Result<()> {
         if !self.clock.started {
             self.restart()?;
@@ -252,7 +252,8 @@ impl<T: Terrain> Model<T> {
     /// Takes one step, of at most `at_most` seconds and as long as all processes allow.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a step that is not positive; what a process reports; [`Error::NonFinite`] from the guard.
+    /// [`Error::Parameter`] if the step is not positive; [`Error::NonFinite`] if a number is not finite after a process; or if a
+    /// process fails.
     pub fn step(&mut self, at_most: f64) -> Result<StepReport> {
         if !(at_most > 0.0 && at_most.is_finite()) {
             return Err(Error::parameter("dt", format!("{at_most} s"), "> 0 s, for example \"1 kyr\""));
@@ -267,7 +268,7 @@ impl<T: Terrain> Model<T> {
     /// Goes on for `time` seconds, in steps of at most [`Model::dt`].
     ///
     /// # Errors
-    /// As [`Model::step`].
+    /// Where [`Model::step`] fails.
     pub fn advance(&mut self, time: f64) -> Result<Change> {
         let end = self.clock.time + time;
         let mut change = Change::default();
@@ -283,26 +284,26 @@ impl<T: Terrain> Model<T> {
     /// Goes on for a number of steps of at most [`Model::dt`].
     ///
     /// # Errors
-    /// As [`Model::step`].
+    /// Where [`Model::step`] fails.
     pub fn advance_steps(&mut self, steps: u64) -> Result<Change> {
         (0..steps).try_fold(Change::default(), |change, _| Ok(change.plus(self.step(self.dt)?.change)))
     }
 
-    /// Lets processes leave their derived fields, as after the last step. The model can go on afterwards.
+    /// Lets processes add their derived fields, as after the last step. The model can go on afterwards.
     ///
     /// # Errors
-    /// What a process reports.
+    /// If a process fails; the error is the process's own.
     pub fn finish(&mut self) -> Result<()> {
         self.start()?;
         let Self { terrain, processes, environment, .. } = self;
         processes.iter_mut().try_for_each(|process| process.finish(terrain, environment))
     }
 
-    /// Changes the terrain from outside. What the edit adds or takes is booked as supplied or as removed, so that mass closes;
-    /// what processes carried is booked as exported; then they look at the terrain as if they began on it.
+    /// Changes the terrain from outside. Volume that the edit adds or takes is counted as supplied or as removed, so that mass
+    /// closes. Sediment that processes carried is counted as exported. Then the processes begin anew on the terrain.
     ///
     /// # Errors
-    /// What a process needs and no longer finds. The edit stays.
+    /// If a process no longer finds what it needs. The edit is kept.
     pub fn edit<R>(&mut self, edit: impl FnOnce(&mut T) -> R) -> Result<R> {
         let before = self.terrain.volume();
         let result = edit(&mut self.terrain);
@@ -321,7 +322,8 @@ impl<T: Terrain> Model<T> {
     /// Gives a process other parameters; it begins anew on the terrain as it is.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if there is no such process or a parameter is out of range; what the process needs and does not find.
+    /// [`Error::Parameter`] if there is no such process or a parameter is out of range; or if the process does not find what it
+    /// needs.
     pub fn set<P: Process<T>>(&mut self, index: usize, params: P) -> Result<()> {
         params.validate()?;
         let found = self.processes.get(index).map(|p| p.name());
@@ -345,8 +347,8 @@ impl<T: Terrain> Model<T> {
         Ok(())
     }
 
-    /// Everything that [`Model::restore`] needs, as bytes; `key` names what it belongs to. The terrain is written as it stands, without
-    /// a second copy.
+    /// Everything that [`Model::restore`] needs, as bytes; `key` names what it belongs to. The terrain is written as it stands,
+    /// without a second copy.
     ///
     /// # Errors
     /// [`Error::Format`] if a state cannot be encoded.
@@ -371,7 +373,7 @@ impl<T: Terrain> Model<T> {
         Ok(())
     }
 
-    /// Starts over on another terrain of the same kind, at time 0, and gives the one before.
+    /// Starts over on another terrain of the same kind, at time 0, and returns the one before.
     pub(super) fn exchange(&mut self, terrain: T) -> T {
         self.clock = Clock::default();
         std::mem::replace(&mut self.terrain, terrain)

@@ -26,7 +26,7 @@ impl<T: Terrain> Refining<T> {
         Self { levels, coarser: T::coarser, take_shape_of: T::take_shape_of }
     }
 
-    /// Starts, with the shape that coarser levels came to. Observers see nothing of those.
+    /// Starts with the shape that coarser levels reached. Observers are not called for those.
     pub(super) fn start(&self, model: &mut Model<T>, steady: Option<f64>, watched: Option<Watched<T>>) -> Result<()> {
         let mut levels: Vec<T> = Vec::new();
         for _ in 0..self.levels {

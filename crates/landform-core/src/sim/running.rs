@@ -1,10 +1,10 @@
-//! A process with its state, behind one face.
+//! A process with its state, behind one interface.
 
 use crate::terrain::Terrain;
 use crate::verb::{Change, Context, Environment, Process, Step};
 use crate::{Error, Result};
 
-/// What the driver asks of a process, whatever its types.
+/// The interface of a process for the driver, for any of its types.
 pub(super) trait Running<T: Terrain>: Send {
     fn name(&self) -> &'static str;
     fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()>;

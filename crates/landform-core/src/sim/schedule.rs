@@ -1,15 +1,15 @@
-//! When to look, and when to stop.
+//! When observers are called, and when a run stops.
 
 use serde::{Deserialize, Serialize};
 
 /// How often an observer is called.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Every {
-    /// After every so many steps.
+    /// After every such number of steps.
     Steps(u64),
     /// At every multiple of a time, s; steps are shortened to end there.
     Time(f64),
-    /// After so many seconds of the watch on the wall.
+    /// After this many seconds of wall-clock time.
     Wall(f64),
 }
 
@@ -20,7 +20,7 @@ pub struct Stop {
     pub time: Option<f64>,
     /// Greatest residual that counts as steady.
     pub steady: Option<f64>,
-    /// Most steps.
+    /// Greatest number of steps.
     pub steps: Option<u64>,
 }
 

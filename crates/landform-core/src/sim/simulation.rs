@@ -1,4 +1,4 @@
-//! A run of a model: when it stops, who looks, what is saved.
+//! A run of a model: when it stops, its observers, its checkpoints.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -13,10 +13,10 @@ use crate::terrain::{NodeSurface, Refine, Terrain};
 use crate::verb::{CancelToken, Change, Environment, Maps, Process};
 use crate::{Error, Result};
 
-/// A run until steady that says no `iterations` gives up here.
+/// Greatest number of steps of a run until steady without `iterations`.
 const MOST_STEPS_WITHOUT_END: u64 = 10_000;
 
-/// What an observer sees.
+/// The state that an observer sees.
 #[derive(Debug)]
 pub struct View<'a, T> {
     /// The terrain after the step.
@@ -29,17 +29,17 @@ pub struct View<'a, T> {
     pub dt: f64,
     /// Residual of the last step, if steadiness is watched for.
     pub residual: Option<f64>,
-    /// What the last step did, all processes together.
+    /// Volumes that the last step moved, all processes together.
     pub change: Change,
 }
 
 type Observer<'a, T> = Box<dyn FnMut(&View<T>) -> Result<ControlFlow<()>> + Send + 'a>;
 type Saver<'a, T> = Box<dyn FnMut(&Model<T>) -> Result<()> + Send + 'a>;
 
-/// Runs a model until something stops it, and lets observers look on the way.
+/// Runs a model until a condition stops it, and calls observers on the way.
 ///
-/// A step is the least of the clock's, what every process allows, and the time to the next scheduled look. Whether a run was
-/// interrupted and resumed makes no difference to its bits.
+/// A step is the least of the clock's step, the steps that processes allow, and the time to the next scheduled observation.
+/// Whether a run was interrupted and resumed makes no difference to its bits.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -58,7 +58,7 @@ type Saver<'a, T> = Box<dyn FnMut(&Model<T>) -> Result<()> + Send + 'a>;
 pub struct Simulation<'a, T: Terrain> {
     model: Model<T>,
     stop: Stop,
-    /// The values whose change tells whether the terrain is steady.
+    /// The values whose change decides whether the terrain is steady.
     steady_values: Option<Watched<T>>,
     refining: Option<Refining<T>>,
     observers: Vec<(Every, Instant, Observer<'a, T>)>,
@@ -75,8 +75,8 @@ impl<T: NodeSurface> Simulation<'_, T> {
 }
 
 impl<T: Refine + NodeSurface> Simulation<'_, T> {
-    /// Brings terrains of so many coarser levels to a steady state first, each from the one before, and starts from the
-    /// last: for steady states alone, since the way there is no history.
+    /// First brings terrains of this many coarser levels to a steady state, each from the one before, and starts from the last.
+    /// It serves steady states only, since the path to them is no history.
     pub fn refine(mut self, levels: u32) -> Self {
         self.refining = (levels > 0).then(|| Refining::new(levels));
         self
@@ -98,7 +98,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     /// Adds a process.
     ///
     /// # Errors
-    /// As [`Model::add`].
+    /// Where [`Model::add`] fails.
     pub fn process<P: Process<T>>(mut self, params: P) -> Result<Self> {
         self.model.add(params)?;
         Ok(self)
@@ -134,19 +134,19 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         self
     }
 
-    /// Sea level, rain, winds and materials, where a process says nothing itself.
+    /// Sea level, rain, winds and materials, for processes that have no values of their own.
     pub fn environment(mut self, environment: Arc<Environment>) -> Self {
         self.model = self.model.environment(environment);
         self
     }
 
-    /// Lets somebody else end the run.
+    /// Sets the token by which the run can be ended.
     pub fn cancel(mut self, token: CancelToken) -> Self {
         self.model = self.model.cancel(token);
         self
     }
 
-    /// Calls an observer now and then; [`ControlFlow::Break`] ends the run.
+    /// Calls an observer as `every` says; [`ControlFlow::Break`] ends the run.
     pub fn observe(
         mut self,
         every: Every,
@@ -156,7 +156,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         self
     }
 
-    /// Calls `save` (which will want [`Model::save`]) each time so many seconds have passed on the wall.
+    /// Calls `save` (which may use [`Model::save`]) each time this many seconds of wall-clock time have passed.
     pub fn save_every(mut self, seconds: f64, save: impl FnMut(&Model<T>) -> Result<()> + Send + 'a) -> Self {
         self.saver = Some((seconds, Instant::now(), Box::new(save)));
         self
@@ -185,17 +185,17 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     /// Goes back to what the model of a simulation that was set up in the same way had saved.
     ///
     /// # Errors
-    /// As [`Model::restore`].
+    /// Where [`Model::restore`] fails.
     pub fn resume(mut self, key: &str, saved: &[u8]) -> Result<Self> {
         self.model.restore(key, saved)?;
         Ok(self)
     }
 
-    /// Runs until something stops it. A cancelled run can be saved and resumed; any other is finished.
+    /// Runs until a condition stops it. A cancelled run can be saved and resumed; any other is finished.
     ///
     /// # Errors
-    /// What a process or an observer reports; [`Error::NonFinite`] from the guard; [`Error::Parameter`] for a clock that
-    /// cannot run.
+    /// If a process or an observer fails; [`Error::NonFinite`] if a number is not finite after a process; [`Error::Parameter`] if
+    /// the clock cannot run.
     pub fn run(&mut self) -> Result<Outcome> {
         self.check_clock()?;
         // Other ends come sooner or later than a number of steps.

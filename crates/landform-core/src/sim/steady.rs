@@ -1,10 +1,10 @@
-//! How far from steady a terrain is.
+//! The residual: how far a terrain is from steady.
 
 use super::{Model, StepReport};
 use crate::terrain::Terrain;
 use crate::{Result, parallel};
 
-/// The values whose change tells whether a terrain is steady.
+/// The values whose change decides whether a terrain is steady.
 pub(super) type Watched<T> = fn(&T) -> &[f64];
 
 /// Takes one step of `dt` s; the residual is kept if `watched` says of what.

@@ -28,12 +28,12 @@ impl Stage {
     /// Reads and validates parameters, once.
     ///
     /// # Errors
-    /// [`Refusal`] with the place or the parameter that is wrong.
+    /// [`Refusal`] if a parameter is wrong, with its place or its name.
     pub fn read(&'static self, json: &Json) -> Result<ReadStage, Refusal> {
         (self.form.read)(json).map(|parameters| ReadStage::new(self, parameters))
     }
 
-    /// The stage with parameters that somebody has already.
+    /// The stage with given parameters.
     ///
     /// # Errors
     /// [`Error::Parameter`] if one is out of range.
@@ -63,7 +63,7 @@ impl ReadStage {
         &self.parameters.outputs
     }
 
-    /// How far around a place the ground can matter.
+    /// How far around a node the ground can affect the result there.
     pub fn reach(&self) -> Reach {
         self.parameters.reach
     }
@@ -92,10 +92,10 @@ impl ReadStage {
         })
     }
 
-    /// What the stage will need, given what the terrain is.
+    /// Memory and nodes that the stage will need on such a terrain.
     ///
     /// # Errors
-    /// What can be told to fail without running.
+    /// If it is known without a run that the stage would fail.
     pub fn estimate(&self, kind: Option<Kind>, before: Estimate, context: &Context) -> Result<Estimate> {
         let params = &*self.parameters.value;
         match self.act(kind)?.run {
@@ -108,7 +108,7 @@ impl ReadStage {
     /// Makes or changes a terrain, for stages that do so at once; `terrain` is the one before.
     ///
     /// # Errors
-    /// What the stage reports; [`Error::Unsupported`] without a terrain to work on, or for a process.
+    /// If the stage fails; [`Error::Unsupported`] without a terrain to work on, or for a process.
     pub fn apply(&self, terrain: Option<&AnyTerrain>, context: &Context) -> Result<AnyTerrain> {
         let params = &*self.parameters.value;
         let act = self.act(terrain.map(AnyTerrain::kind))?;
@@ -140,7 +140,7 @@ impl ReadStage {
     /// Measures or writes; files go to `out`.
     ///
     /// # Errors
-    /// What the stage reports.
+    /// If the stage fails; the error is the stage's own.
     pub fn tell(&self, landscape: &Landscape<'_, AnyTerrain>, out: &mut dyn Output) -> Result<()> {
         let params = &*self.parameters.value;
         match self.act(Some(landscape.terrain.kind()))?.run {

@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 
 use super::parameters::{Parameters, Refusal, typed};
 use crate::sim::Model;
-use crate::terrain::{AnyTerrain, Held, Kind};
+use crate::terrain::{AnyTerrain, Kind, Representation};
 use crate::verb::{
     Context, Convert, Edit, Estimate, Export, Generator, Landscape, Measure, Output, OwnClock, Params, Process, Reach,
     Source, add_hints, properties,
@@ -25,7 +25,7 @@ pub enum Verb {
     Convert,
     /// Changes it over time.
     Process,
-    /// Tells something about it.
+    /// Measures it.
     Measure,
     /// Writes files.
     Export,
@@ -50,7 +50,7 @@ impl Verb {
     }
 }
 
-/// A stage: what is known of its parameters, and what to do on each kind of terrain.
+/// A stage: a description of its parameters, and a function for each kind of terrain.
 #[derive(Debug)]
 pub struct Stage {
     /// Name in recipes.
@@ -65,15 +65,15 @@ pub struct Stage {
     pub with: bool,
     /// Fields that a process changes.
     pub writes: &'static [&'static str],
-    /// Words of earlier recipes, and what they are called now.
+    /// Keys of earlier recipes, and their names now.
     pub renamed: &'static [(&'static str, &'static str)],
-    /// What is known of its parameters.
+    /// Description of its parameters.
     pub form: Form,
-    /// What to do, once for each kind of terrain.
+    /// Functions, one for each kind of terrain.
     pub acts: &'static [Act],
 }
 
-/// What is known of a stage's parameters.
+/// Description of a stage's parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Form {
     /// Name and schema of each parameter.
@@ -82,14 +82,14 @@ pub struct Form {
     pub schema: fn() -> Json,
     /// Defaults, in customary units.
     pub defaults: fn() -> Json,
-    /// How far around a place the ground can matter, with the default parameters.
+    /// How far around a node the ground can affect the result there, with the default parameters.
     pub reach: fn() -> Reach,
     /// Reads and validates.
     pub(super) read: fn(&Json) -> Result<Parameters, Refusal>,
 }
 
 impl Form {
-    /// What is known of parameters.
+    /// Description of the parameters of a type.
     pub const fn of<P: Params>() -> Self {
         Self {
             properties: properties::<P>,
@@ -125,32 +125,32 @@ pub struct Act {
     pub on: Option<Kind>,
     /// Kind of terrain after it; none if it changes nothing.
     pub to: Option<Kind>,
-    /// What to do with the parameters that were read.
+    /// Function that runs it with the parameters that were read.
     pub run: Run,
 }
 
-/// What to do with parameters that were read.
+/// Functions that run a stage with parameters that were read.
 #[derive(Clone, Copy, Debug)]
 pub enum Run {
     /// Makes a terrain.
     Generate {
         /// Makes it.
         make: fn(&dyn Any, &Context) -> Result<AnyTerrain>,
-        /// Tells what it will need.
+        /// Estimates its nodes and memory.
         estimate: fn(&dyn Any, &Context) -> Result<Estimate>,
     },
     /// Changes a terrain once.
     Edit {
         /// Changes it.
         edit: fn(&dyn Any, &mut AnyTerrain, &Context) -> Result<()>,
-        /// Tells what it will need.
+        /// Estimates its nodes and memory.
         estimate: fn(&dyn Any, Estimate) -> Result<Estimate>,
     },
     /// Changes the representation.
     Convert {
         /// Changes it.
         convert: fn(&dyn Any, &AnyTerrain) -> Result<AnyTerrain>,
-        /// Tells what it will need.
+        /// Estimates its nodes and memory.
         estimate: fn(&dyn Any, Estimate) -> Result<Estimate>,
     },
     /// Changes a terrain over time.
@@ -160,7 +160,7 @@ pub enum Run {
         /// The clock that it brings.
         own_clock: fn(&dyn Any) -> Option<OwnClock>,
     },
-    /// Tells something about a terrain: path and value.
+    /// Measures a terrain: path and value.
     Measure(MeasureFn),
     /// Writes files.
     Export(fn(&dyn Any, &Landscape<'_, AnyTerrain>, &mut dyn Output) -> Result<()>),
@@ -170,7 +170,7 @@ pub enum Run {
 type MeasureFn = fn(&dyn Any, &Landscape<'_, AnyTerrain>) -> Result<(String, Json)>;
 
 /// A generator's act.
-pub const fn generate<P: Generator<T>, T: Held>() -> Act {
+pub const fn generate<P: Generator<T>, T: Representation>() -> Act {
     let run = Run::Generate {
         make: |params, context| Ok(typed::<P>(params)?.generate(context)?.wrap()),
         estimate: |params, context| typed::<P>(params)?.estimate(context),
@@ -179,7 +179,7 @@ pub const fn generate<P: Generator<T>, T: Held>() -> Act {
 }
 
 /// An edit's act.
-pub const fn edit<P: Edit<T>, T: Held>() -> Act {
+pub const fn edit<P: Edit<T>, T: Representation>() -> Act {
     let run = Run::Edit {
         edit: |params, terrain, context| typed::<P>(params)?.edit(terrain.get_mut::<T>(P::NAME)?, context),
         estimate: |params, before| Ok(typed::<P>(params)?.estimate(before)),
@@ -188,7 +188,7 @@ pub const fn edit<P: Edit<T>, T: Held>() -> Act {
 }
 
 /// A conversion's act.
-pub const fn convert<P: Convert<S, T>, S: Held, T: Held>() -> Act {
+pub const fn convert<P: Convert<S, T>, S: Representation, T: Representation>() -> Act {
     let run = Run::Convert {
         convert: |params, terrain| Ok(typed::<P>(params)?.convert(terrain.get::<S>(P::NAME)?)?.wrap()),
         estimate: |params, source| Ok(typed::<P>(params)?.estimate(source)),
@@ -197,7 +197,7 @@ pub const fn convert<P: Convert<S, T>, S: Held, T: Held>() -> Act {
 }
 
 /// A process' act.
-pub const fn process<P: Process<T>, T: Held>() -> Act {
+pub const fn process<P: Process<T>, T: Representation>() -> Act {
     let run = Run::Process {
         add: |params, model| match model.downcast_mut::<Model<T>>() {
             Some(model) => model.add(typed::<P>(params)?.clone()),
@@ -213,7 +213,7 @@ pub const fn process<P: Process<T>, T: Held>() -> Act {
 }
 
 /// A measure's act.
-pub const fn measure<P: Measure<T>, T: Held>() -> Act {
+pub const fn measure<P: Measure<T>, T: Representation>() -> Act {
     let run = Run::Measure(|params, landscape| {
         let params = typed::<P>(params)?;
         let terrain = landscape.terrain.get::<T>(P::NAME)?;
@@ -224,7 +224,7 @@ pub const fn measure<P: Measure<T>, T: Held>() -> Act {
 }
 
 /// An export's act.
-pub const fn export<P: Export<T>, T: Held>() -> Act {
+pub const fn export<P: Export<T>, T: Representation>() -> Act {
     let run = Run::Export(|params, landscape, out| {
         let terrain = landscape.terrain.get::<T>(P::NAME)?;
         typed::<P>(params)?.export(&landscape.with(terrain), out)
@@ -249,7 +249,7 @@ impl Stage {
         self.acts.iter().filter_map(|a| a.on)
     }
 
-    /// What the stage is for, in a sentence or two.
+    /// The purpose of the stage, in a sentence or two.
     pub fn summary(&self) -> String {
         (self.form.schema)()["description"].as_str().unwrap_or_default().replace('\n', " ")
     }

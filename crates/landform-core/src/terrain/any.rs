@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 use super::{Ground, HeightField, Kind, Mesh, NodeSurface, Refine, Terrain, height_field_from_mesh};
 use crate::{Error, Result};
 
-/// A surface that a raster can stand for.
+/// A surface from which a raster can be made.
 pub trait Rasterize: NodeSurface {
-    /// The raster itself, or one that stands for the surface in pictures and measures.
+    /// The raster itself, or one made from the surface for pictures and measures.
     ///
     /// # Errors
-    /// As [`HeightField::new`].
+    /// Where [`HeightField::new`] fails.
     fn rasterized(&self) -> Result<Cow<'_, HeightField>>;
 }
 
@@ -32,23 +32,23 @@ impl Rasterize for Mesh {
 }
 
 /// What every surface that recipes pass on can do.
-pub trait Surface: Rasterize + Ground + Refine + Held {}
+pub trait Surface: Rasterize + Ground + Refine + Representation {}
 
-impl<T: Rasterize + Ground + Refine + Held> Surface for T {}
+impl<T: Rasterize + Ground + Refine + Representation> Surface for T {}
 
 /// A representation that [`AnyTerrain`] can hold.
-pub trait Held: Terrain {
+pub trait Representation: Terrain {
     /// Puts it in.
     fn wrap(self) -> AnyTerrain;
-    /// Looks whether it is in there.
+    /// The terrain, if it has this representation.
     fn of(any: &AnyTerrain) -> Option<&Self>;
-    /// Looks whether it is in there, to change it.
+    /// The terrain to change, if it has this representation.
     fn of_mut(any: &mut AnyTerrain) -> Option<&mut Self>;
 }
 
-/// Something to do with a terrain whose representation is only known when it is met.
+/// An operation on a terrain whose representation is known only at run time.
 pub trait Visit {
-    /// What comes of it.
+    /// Result.
     type Out;
     /// Does it.
     fn visit<T: Surface>(self, terrain: &T) -> Self::Out;
@@ -64,7 +64,7 @@ macro_rules! representations {
             $($(#[$doc])* $type($type)),*
         }
 
-        $(impl Held for $type {
+        $(impl Representation for $type {
             fn wrap(self) -> AnyTerrain {
                 AnyTerrain::$type(self)
             }
@@ -126,7 +126,7 @@ impl AnyTerrain {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if it is another one.
-    pub fn get<T: Held>(&self, what: &str) -> Result<&T> {
+    pub fn get<T: Representation>(&self, what: &str) -> Result<&T> {
         T::of(self).ok_or_else(|| self.unsupported(what, T::KIND))
     }
 
@@ -134,7 +134,7 @@ impl AnyTerrain {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if it is another one.
-    pub fn get_mut<T: Held>(&mut self, what: &str) -> Result<&mut T> {
+    pub fn get_mut<T: Representation>(&mut self, what: &str) -> Result<&mut T> {
         let error = self.unsupported(what, T::KIND);
         T::of_mut(self).ok_or(error)
     }

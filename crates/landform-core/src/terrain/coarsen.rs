@@ -6,7 +6,7 @@ use crate::field::Fields;
 use crate::grid::{Domain, Edges, Grid, Shape, Status};
 use crate::parallel;
 
-/// Fewer nodes than this are not worth a level of their own.
+/// With fewer nodes than this there is no further coarse level.
 const FEWEST: usize = 200;
 
 impl Mesh {
@@ -113,7 +113,7 @@ impl HeightField {
         let coarse = Shape::new(shape.rows.div_ceil(2), shape.cols.div_ceil(2));
         let status = self.chosen_status();
         let is_base = |i: usize| status.is_some_and(|s| s[i] == Status::BaseLevel);
-        // A chosen outlet stands for its four nodes.
+        // A chosen outlet represents its four nodes.
         let stands_for = |i: usize| {
             let cell = coarse.cell(i);
             let of = |k: usize| {

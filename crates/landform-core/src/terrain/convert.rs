@@ -28,7 +28,7 @@ use crate::{Result, parallel};
 /// ```
 ///
 /// # Errors
-/// As [`Grid::covering`].
+/// Where [`Grid::covering`] fails.
 pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField> {
     let grid = grid_over(mesh, cell_size)?;
     let triangle = locate(mesh, &grid);
@@ -79,7 +79,7 @@ fn at_corners<V: Copy + Default>(values: &[V], corner: &[u32]) -> Vec<V> {
 /// Elevation of a mesh alone on a raster over its bounds, linear on each triangle.
 ///
 /// # Errors
-/// As [`Grid::covering`].
+/// Where [`Grid::covering`] fails.
 pub(super) fn elevation_raster(mesh: &Mesh, cell_size: f64) -> Result<(Grid, Vec<f64>)> {
     let grid = grid_over(mesh, cell_size)?;
     let triangle = locate(mesh, &grid);
@@ -144,7 +144,7 @@ fn inside(t: [[f64; 2]; 3], p: [f64; 2]) -> bool {
     side(t[0], t[1]) && side(t[1], t[2]) && side(t[2], t[0])
 }
 
-/// What is drawn between nodes.
+/// Interpolation between nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Interpolation {
@@ -171,7 +171,7 @@ pub enum Interpolation {
 /// ```
 ///
 /// # Errors
-/// As [`HeightField::new`].
+/// Where [`HeightField::new`] fails.
 pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation) -> Result<HeightField> {
     let ratio = |k: usize| (grid.spacing[k] / source.grid().spacing[k]).max(1.0);
     let (nx, ny) = (ratio(0).round().min(64.0) as usize, ratio(1).round().min(64.0) as usize);
@@ -182,7 +182,7 @@ pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation)
             for b in 0..nx {
                 let dx = ((b as f64 + 0.5) / nx as f64 - 0.5) * grid.spacing[0];
                 let dy = ((a as f64 + 0.5) / ny as f64 - 0.5) * grid.spacing[1];
-                let v = sample_by(interpolation, source.grid(), values, [x + dx, y - dy]);
+                let v = sample_within(interpolation, source.grid(), values, [x, y], [x + dx, y - dy]);
                 if !v.is_nan() {
                     sum += v;
                     count += 1;
@@ -205,7 +205,42 @@ pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation)
             field.fields.insert_values(name, Values::F64(on_grid(v)))?;
         }
     }
+    if let Some(status) = source.chosen_status() {
+        let outlets = outlets_on(source.grid(), status, &field);
+        field.set_status(Some(outlets));
+    }
     Ok(field)
+}
+
+/// Outlets that were chosen, on another raster: nodes next to an old outlet, and those whose nearest old node is one.
+fn outlets_on(old: &Grid, status: &[Status], field: &HeightField) -> Vec<Status> {
+    let (grid, z) = (field.grid(), field.elevation());
+    let held = |i: usize| old.node_at(grid.position(i)).is_some_and(|k| status[k] == Status::BaseLevel);
+    let mut new = parallel::map(grid.len(), |i| match (z[i].is_nan(), held(i)) {
+        (true, _) => Status::Masked,
+        (false, true) => Status::BaseLevel,
+        (false, false) => Status::Interior,
+    });
+    for k in (0..status.len()).filter(|&k| status[k] == Status::BaseLevel) {
+        if let Some(i) = grid.node_at(old.position(k)).filter(|&i| new[i] == Status::Interior) {
+            new[i] = Status::BaseLevel;
+        }
+    }
+    new
+}
+
+/// Value at a position beside a node. Beyond the sides it goes on as a plane would, if the node is not beyond them: the mean about a node
+/// of the border is then one of the border.
+fn sample_within(interpolation: Interpolation, grid: &Grid, values: &[f64], node: [f64; 2], position: [f64; 2]) -> f64 {
+    let [lo, hi] = grid.bounds();
+    let clamped = |p: [f64; 2]| [0, 1].map(|k| p[k].clamp(lo[k], hi[k]));
+    let edge = clamped(position);
+    let is_in = (0..2).all(|k| (clamped(node)[k] - node[k]).abs() <= 1e-9 * grid.spacing[k]);
+    if edge == position || !is_in {
+        return sample_by(interpolation, grid, values, position);
+    }
+    let mirrored = clamped([0, 1].map(|k| 2.0 * edge[k] - position[k]));
+    2.0 * sample_by(interpolation, grid, values, edge) - sample_by(interpolation, grid, values, mirrored)
 }
 
 /// Value of a raster at a position by either interpolation, NaN outside or beside nodata.
@@ -221,13 +256,24 @@ pub fn sample_by(interpolation: Interpolation, grid: &Grid, values: &[f64], posi
     let mut sum = 0.0;
     for (a, wv) in fv.iter().enumerate() {
         for (b, wu) in fu.iter().enumerate() {
-            let row = (r + a as isize - 1).clamp(0, rows - 1) as usize;
-            let col = (c + b as isize - 1).clamp(0, cols - 1) as usize;
-            sum += wv * wu * values[grid.shape.index(row, col)];
+            for (row, k) in beyond(r + a as isize - 1, rows) {
+                for (col, j) in beyond(c + b as isize - 1, cols) {
+                    if k * j != 0.0 {
+                        sum += wv * wu * k * j * values[grid.shape.index(row, col)];
+                    }
+                }
+            }
         }
     }
     // Beside nodata there are not sixteen nodes.
     if sum.is_nan() { linear } else { sum }
+}
+
+/// A row or column as a sum of two that are there: itself, or beyond the sides as a plane goes on.
+fn beyond(at: isize, count: isize) -> [(usize, f64); 2] {
+    let edge = at.clamp(0, count - 1);
+    let inner = (2 * edge - at).clamp(0, count - 1);
+    if edge == at { [(at as usize, 1.0), (at as usize, 0.0)] } else { [(edge as usize, 2.0), (inner as usize, -1.0)] }
 }
 
 /// Catmull and Rom's weights of the four nodes around a point, the last of them 0 at a node.
@@ -313,6 +359,17 @@ mod tests {
         assert_eq!(coarse.grid().shape, Shape::new(11, 11));
         assert!((coarse.elevation_at([40.0, 40.0]) - 120.0).abs() < 1e-9);
         assert!(coarse.elevation_at([100.0, 100.0]).is_nan());
+        // The border too.
+        for cell in [5.0, 20.0, 40.0] {
+            for interpolation in [Interpolation::Linear, Interpolation::Cubic] {
+                let other = resample(&field, &grid.with_cell_size(cell).unwrap(), interpolation).unwrap();
+                for i in (0..other.grid().len()).filter(|&i| !other.elevation()[i].is_nan() && on_rim(other.grid(), i))
+                {
+                    let [x, y] = other.grid().position(i);
+                    assert!((other.elevation()[i] - x - 2.0 * y).abs() < 1e-9, "{cell}: {x} {y}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Solid taken from and laid on the ground around a point.
+//! Solid that is removed from and deposited on the ground around a point.
 
 use super::{Ground, Layer, NodeSurface};
 use crate::Result;
@@ -13,7 +13,7 @@ pub struct Brush {
     pub radius: f64,
 }
 
-/// What a brush really moved.
+/// Volume that a brush moved.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Removed {
     /// Volume, m³.
@@ -22,12 +22,12 @@ pub struct Removed {
     pub by_material: Vec<(String, f64)>,
 }
 
-/// A terrain that solid can be taken from and laid on, around a point.
+/// A terrain from which solid can be removed, and on which it can be deposited, around a point.
 pub trait Erodible: Ground {
-    /// Takes a volume (m³) around a point and returns what really went.
+    /// Removes a volume (m³) around a point and returns the volume that was removed.
     fn remove(&mut self, brush: Brush, volume: f64) -> Removed;
 
-    /// Lays down a volume (m³) of a material around a point and returns the volume that found room, m³.
+    /// Deposits a volume (m³) of a material around a point and returns the volume that was deposited, m³.
     ///
     /// # Errors
     /// [`crate::Error::Parameter`] for a material that is not in the table of layered ground.

@@ -7,7 +7,7 @@ use crate::{math, parallel};
 ///
 /// Every node is shared among the four cells around it, sums and weights are blurred along rows and then columns: O(cells ·
 /// sigma), where the thesis' sum over all nodes for every cell is O(cells · nodes). Where the kernel (cut at 4 sigma) reaches no
-/// node, what `onto` holds stays.
+/// node, the value of `onto` is kept.
 ///
 /// # Sources
 /// Bell (thesis), algorithm 10, with the distance taken from the cell's own position and the sum returned (validation notes

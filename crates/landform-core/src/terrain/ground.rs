@@ -1,4 +1,4 @@
-//! Where a surface lies.
+//! Elevation, normal and extent of a surface.
 
 use super::{HeightField, Mesh, NodeSurface, Terrain};
 
@@ -90,7 +90,7 @@ impl Ground for Mesh {
         span(self)
     }
 
-    /// **Cost** O(triangles): all are looked at.
+    /// **Cost** O(triangles): all are examined.
     fn height_at(&self, [x, y]: [f64; 2]) -> Option<f64> {
         self.triangles().iter().find_map(|&corners| {
             let [a, b, c] = corners.map(|i| self.positions()[i as usize]);

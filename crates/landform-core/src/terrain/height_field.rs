@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{Kind, Layers, NodeSurface, Refine, Terrain};
 use crate::feature::Features;
 use crate::field::Fields;
-use crate::grid::{Domain, Grid, RasterDomain, Status};
+use crate::grid::{Degrees, Domain, Grid, RasterDomain, Status};
 use crate::{Error, Result, parallel};
 
 /// One elevation per node of a regular grid. Nodata is NaN in the elevation, and nowhere else.
@@ -34,7 +34,7 @@ pub struct HeightField {
     features: Features,
     /// Optional fields, in the grid's order.
     pub fields: Fields,
-    /// The graph for the status, once somebody asked for it.
+    /// The graph for the status, made at its first use.
     #[serde(skip)]
     domain: OnceLock<Arc<RasterDomain>>,
 }
@@ -237,5 +237,9 @@ impl NodeSurface for HeightField {
 
     fn epsg(&self) -> Option<u16> {
         self.grid.georeference.epsg
+    }
+
+    fn degrees(&self) -> Option<Degrees> {
+        self.grid.georeference.degrees
     }
 }

@@ -1,9 +1,9 @@
-//! What lies under the surface: beds of rock, and loose layers on them.
+//! Layers under the surface: beds of rock, and loose layers on them.
 //!
-//! Beds are told by elevation, so that cutting into rock costs nothing to keep: a node's rock at elevation z lies at the
-//! depth `datum − z` in a sequence that repeats downwards, where `datum` is the elevation of the sequence's top. Uplift moves
-//! the datum. Loose layers are depths on every node, at most one a material, and lie on each other in the order of the
-//! table of materials.
+//! Beds follow from elevation, so that erosion of rock needs no bookkeeping: a node's rock at elevation z lies at the depth
+//! `datum − z` in a sequence that repeats downwards, where `datum` is the elevation of the sequence's top. Uplift moves the
+//! datum. Loose layers are depths on every node, at most one a material, and lie on each other in the order of the table of
+//! materials.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ use crate::{Error, Result, math, parallel};
 pub enum Layer<'a> {
     /// Rock, with all that lies on it: uplift, faults, edits of the shape.
     Bedrock,
-    /// The surface: where it sinks, the uppermost goes first; where it rises, this material is laid down.
+    /// The surface: where it sinks, the uppermost material is removed first; where it rises, this material is deposited.
     Surface(&'a str),
 }
 
@@ -49,13 +49,13 @@ struct Loose {
 /// Volumes of a material that have moved since the layers were made, m³.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MovedVolume {
-    /// Taken from the ground.
+    /// Removed from the ground.
     pub eroded: f64,
-    /// Laid down.
+    /// Deposited.
     pub deposited: f64,
 }
 
-/// The make-up of the ground under every node of a surface.
+/// The layers of the ground under every node of a surface.
 ///
 /// The upper face of the first bed lies at 400 m:
 ///
@@ -91,7 +91,7 @@ pub struct Stratum<'a> {
     pub bottom: f64,
 }
 
-/// A loose layer thinner than this does not show, m.
+/// A loose layer thinner than this is not the surface material, m.
 const THINNEST: f64 = 1e-3;
 /// The number of the material of ground without beds.
 const ROCK: u8 = 0;
@@ -103,7 +103,8 @@ impl Layers {
         Self { materials: materials.clone(), beds: None, loose: Vec::new(), moved, nodes }
     }
 
-    /// Rock in beds, from the top, repeated downwards (and upwards); `datum` is the elevation of the first bed's upper face at every node, m.
+    /// Rock in beds, from the top, repeated downwards (and upwards); `datum` is the elevation of the first bed's upper face at
+    /// every node, m.
     ///
     /// # Errors
     /// [`Error::Parameter`] without beds, or for a bed that is not thicker than 0 m.
@@ -171,7 +172,7 @@ impl Layers {
         Column { layers: self, node, top: z, loose: self.loose.len() }
     }
 
-    /// The material at the surface of a node at `z`. Films thinner than a millimetre are passed over.
+    /// The material at the surface of a node at `z`. Films thinner than a millimetre are ignored.
     pub fn surface(&self, node: usize, z: f64) -> &Material {
         self.materials.get(self.surface_number(node, z))
     }
@@ -189,7 +190,8 @@ impl Layers {
         number
     }
 
-    /// The elevation to which ground can stand at a node at `z`, `length` from a place at `base`: each stratum rises at its own angle of repose.
+    /// The elevation to which ground can stand at a node at `z`, `length` from a place at `base`: each stratum rises at its own
+    /// angle of repose.
     pub fn stable_height(&self, node: usize, z: f64, base: f64, length: f64) -> f64 {
         // Strata from the surface down to the base, climbed from the lowest.
         let mut rises = [(0.0, 0.0); 16];
@@ -197,7 +199,7 @@ impl Layers {
         for stratum in self.column(node, z) {
             let bottom = stratum.bottom.max(base);
             if count == rises.len() {
-                // Finer than this, the lowest stands for the rest.
+                // Finer than this, the lowest stratum is used for the rest.
                 break;
             }
             rises[count] = (top, math::tan(stratum.material.repose));
@@ -253,7 +255,7 @@ impl Layers {
                 self.moved[usize::from(loose.material)].eroded += taken * area(i);
                 (cut, z) = (cut - taken, z - taken);
             }
-            // Rock is told by elevation: only the account is kept.
+            // Rock follows from elevation: only the volumes are counted.
             while cut > 0.0 {
                 let (number, bottom) = self.rock_at(i, z);
                 let taken = cut.min(z - bottom);

@@ -1,11 +1,12 @@
 //! An irregular triangulated terrain: nodes, Delaunay triangles, Voronoi areas.
 //!
 //! # Method
-//! Nodes are numbered along a Hilbert curve before anything else, so that neighbours in space are neighbours in memory and
-//! no result depends on the order in which sites were given. A library triangulates; links are read from its half-edges in
-//! counter-clockwise order. Cell areas are signed sums over triangles (|ij|²/8 · cot of the opposite angle to both ends):
-//! exact Voronoi areas as long as no circumcentre lies outside the hull, and always summing to the hull's area. Where that
-//! leaves a node of the border without area, all nodes take a third of their triangles instead. Unsigned areas, as in Bell's thesis (algorithm 1), are wrong wherever a triangle is obtuse.
+//! Nodes are numbered along a Hilbert curve before anything else, so that neighbours in space are neighbours in memory and no
+//! result depends on the order in which sites were given. A library triangulates; links are read from its half-edges in
+//! counter-clockwise order. Cell areas are signed sums over triangles (|ij|²/8 · cot of the opposite angle to both ends): exact
+//! Voronoi areas as long as no circumcentre lies outside the hull, and always summing to the hull's area. Where that leaves a
+//! node of the border without area, all nodes take a third of their triangles instead. Unsigned areas, as in Bell's thesis
+//! (algorithm 1), are wrong wherever a triangle is obtuse.
 //!
 //! # Sources
 //! Bell (thesis), chapter 3; validation notes 2.11 and 2.12 on signed areas and boundary edges; Meyer et al. (2003) for

@@ -1,13 +1,13 @@
-//! The representations of a terrain, and what each can do.
+//! The representations of a terrain, and their capabilities.
 //!
-//! A representation says what it *is* by [`Terrain`], and what it *can do* by capabilities: [`Ground`] (where its surface lies),
-//! [`NodeSurface`] (one elevation per node of a graph), [`Erodible`] (solid can be taken and laid down around a point), [`Refine`] (it has coarser
-//! forms). An algorithm asks for capabilities, never for a representation. [`AnyTerrain`] holds one of any kind and has the only `match` over
-//! kinds in the project.
+//! A representation implements [`Terrain`], and traits for its capabilities: [`Ground`] (elevation of its surface),
+//! [`NodeSurface`] (one elevation per node of a graph), [`Erodible`] (solid can be removed and deposited around a point),
+//! [`Refine`] (it has coarser forms). An algorithm requires capabilities, never a representation. [`AnyTerrain`] holds one of any
+//! kind and has the only `match` over kinds in the project.
 //!
 //! Every node surface may be layered: [`Layers`] holds beds of rock and loose layers such as soil, sand and snow.
 //!
-//! Sand that is laid down raises the surface:
+//! Sand that is deposited raises the surface:
 //!
 //! ```
 //! use landform_core::grid::{Grid, Shape};
@@ -39,7 +39,7 @@ use std::sync::Arc;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub use any::{AnyTerrain, Held, Rasterize, Surface, Visit, bytes_a_node};
+pub use any::{AnyTerrain, Rasterize, Representation, Surface, Visit, bytes_a_node};
 pub use convert::{Interpolation, height_field_from_mesh, mesh_parts_from_height_field, resample, sample_by};
 pub use erode::{Brush, Erodible, Removed};
 pub use gaussian::gaussian_from_mesh;
@@ -52,7 +52,7 @@ pub use sea::sea_level;
 
 use crate::feature::Features;
 use crate::field::{Fields, Values, names};
-use crate::grid::{Domain, Status};
+use crate::grid::{Degrees, Domain, Status};
 use crate::{Error, Result, parallel};
 
 /// Which representation a terrain is.
@@ -81,7 +81,7 @@ impl std::fmt::Display for Kind {
     }
 }
 
-/// What every representation is.
+/// Common trait of all representations.
 pub trait Terrain: Clone + Send + Sync + Serialize + DeserializeOwned + 'static {
     /// Which representation it is.
     const KIND: Kind;
@@ -94,7 +94,7 @@ pub trait Terrain: Clone + Send + Sync + Serialize + DeserializeOwned + 'static 
     /// Looks for a number that is NaN or infinite where it must not be.
     ///
     /// # Errors
-    /// The name of the field and the index of the first such number.
+    /// If there is such a number: the name of the field and the index of the node.
     fn check_finite(&self) -> Result<(), (&'static str, usize)>;
 }
 
@@ -107,7 +107,7 @@ pub trait Refine: Terrain {
     fn take_shape_of(&mut self, coarse: &Self);
 }
 
-/// A terrain with one elevation per node of a graph: what flow, uplift and creep ask of a terrain.
+/// A terrain with one elevation per node of a graph, as flow, uplift and creep need it.
 pub trait NodeSurface: Terrain {
     /// The graph.
     type Domain: Domain;
@@ -125,7 +125,7 @@ pub trait NodeSurface: Terrain {
     /// Elevation per node, m; NaN on masked nodes.
     fn elevation(&self) -> &[f64];
 
-    /// What the ground is made of; none where it is one material.
+    /// Layers of the ground; none where it is one material.
     fn layers(&self) -> Option<&Layers>;
 
     /// Elevation and layers, to the methods of this trait alone.
@@ -149,7 +149,7 @@ pub trait NodeSurface: Terrain {
     /// Optional fields, to change.
     fn fields_mut(&mut self) -> &mut Fields;
 
-    /// Rivers, lakes and other things with a place, as a stage found them.
+    /// Rivers, lakes and other features that a stage found.
     fn features(&self) -> &Features;
 
     /// Features, to change.
@@ -157,6 +157,11 @@ pub trait NodeSurface: Terrain {
 
     /// EPSG code of the coordinates, if they have one.
     fn epsg(&self) -> Option<u16> {
+        None
+    }
+
+    /// The longitude and latitude that its metres were made from, if they were.
+    fn degrees(&self) -> Option<Degrees> {
         None
     }
 
@@ -177,7 +182,8 @@ pub trait NodeSurface: Terrain {
         result
     }
 
-    /// Sets the depth (m) of a loose layer on every node; the surface rises or sinks with it, nodata excepted. The layer is made where there is none.
+    /// Sets the depth (m) of a loose layer on every node; the surface rises or sinks with it, nodata excepted. The layer is made
+    /// where there is none.
     ///
     /// # Errors
     /// [`Error::Parameter`] for a material that is not in the table; [`Error::Shape`] if the length is not that of the nodes.
@@ -205,7 +211,7 @@ pub trait NodeSurface: Terrain {
         layers.get_or_insert_with(|| Box::new(Layers::rock(materials, nodes)));
     }
 
-    /// Replaces what the ground is made of; the surface stays.
+    /// Replaces the layers of the ground; the surface does not change.
     fn set_layers(&mut self, new: Option<Layers>) {
         *self.parts_mut().1 = new.map(Box::new);
     }
@@ -215,7 +221,8 @@ pub trait NodeSurface: Terrain {
         self.layers()?.depth(material)
     }
 
-    /// The values of a name, as they are stored: "elevation", "surface_material", the depth of a loose layer ("sand_depth"), or an optional field.
+    /// The values of a name, as they are stored: "elevation", "surface_material", the depth of a loose layer ("sand_depth"), or
+    /// an optional field.
     ///
     /// # Errors
     /// [`Error::MissingField`], naming `needed_by` and what there is.
@@ -252,7 +259,7 @@ pub trait NodeSurface: Terrain {
     /// The field of a name as real numbers.
     ///
     /// # Errors
-    /// As [`NodeSurface::named`].
+    /// Where [`NodeSurface::named`] fails.
     fn real(&self, name: &str, needed_by: &str) -> Result<Vec<f64>> {
         Ok(self.named(name, needed_by)?.to_f64())
     }

@@ -1,4 +1,4 @@
-//! The level of a sea that is told by base levels alone.
+//! The level of a sea that is given by base levels alone.
 
 use crate::grid::Status;
 

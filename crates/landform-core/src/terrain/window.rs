@@ -6,8 +6,8 @@ use crate::Result;
 use crate::grid::{Frame, Grid, Status};
 
 impl HeightField {
-    /// The part of this raster that a grid made by [`Grid::window`] of its own grid covers: elevation, layers and fields. Receivers and features
-    /// are left, since they name what may lie outside.
+    /// The part of this raster that a grid made by [`Grid::window`] of its own grid covers: elevation, layers and fields.
+    /// Receivers and features are left, since they name what may lie outside.
     ///
     /// # Errors
     /// [`Error::Empty`](crate::Error::Empty) if the part has no data.
@@ -25,10 +25,7 @@ impl HeightField {
         let mut field = Self::new(part.clone(), z)?;
         if let Some(status) = self.chosen_status() {
             let status: Vec<Status> = kept.iter().map(|&i| status[i as usize]).collect();
-            // Water must leave somewhere: without an outlet of its own the part has those of its sides.
-            if status.contains(&Status::BaseLevel) {
-                field.set_status(Some(status));
-            }
+            field.set_status(Some(status));
         }
         field.set_layers(self.layers().map(|l| thinned(l, &kept)));
         field.fields = pick(&self.fields, &kept);

@@ -156,7 +156,7 @@ impl<'de, D: Dimension> Visitor<'de> for ChangingVisitor<D> {
     }
 }
 
-/// The parts of a table that tells a course in time, as they are read.
+/// The parts of a table that gives a course in time, as they are read.
 pub(super) struct Course<D: Dimension> {
     times: Option<Vec<Duration>>,
     values: Option<Vec<Quantity<D>>>,
@@ -241,7 +241,7 @@ impl<D: Dimension> JsonSchema for Changing<D> {
     }
 }
 
-/// The schemas of the tables that tell a course in time.
+/// The schemas of the tables that give a course in time.
 pub(super) fn course_schemas<D: Dimension>(generator: &mut SchemaGenerator) -> [Schema; 2] {
     let (value, time) = (Quantity::<D>::json_schema(generator), Duration::json_schema(generator));
     [

@@ -1,4 +1,4 @@
-//! What a stage may ask of the world.
+//! The context of a stage.
 
 use std::sync::{Arc, LazyLock};
 
@@ -9,16 +9,16 @@ use crate::grid::Grid;
 use crate::random::Seed;
 use crate::terrain::AnyTerrain;
 
-/// What a stage may ask of the world: its seed, and maps by path.
+/// The context of a stage: its seed, maps by path, the environment.
 #[derive(Clone, Copy)]
 pub struct Context<'a> {
     /// Seed of the stage.
     pub seed: Seed,
     /// Where maps are read from.
     pub maps: &'a dyn Maps,
-    /// Sea level, rain, winds and materials, where a stage says nothing itself.
+    /// Sea level, rain, winds and materials, for a stage that has no values of its own.
     pub environment: &'a Environment,
-    /// Other terrains that the stage was given, by their labels.
+    /// Other terrains that the recipe gives to the stage, by their labels.
     pub with: &'a [(String, Arc<AnyTerrain>)],
     /// The part of the ground that is wanted, where not all of it is.
     pub window: Option<Window>,
@@ -29,7 +29,7 @@ pub struct Context<'a> {
 }
 
 impl Default for Context<'static> {
-    /// Seed 0, no maps, the environment that recipes have if they say nothing, the start of a run.
+    /// Seed 0, no maps, the default environment of recipes, the start of a run.
     fn default() -> Self {
         static PLAIN: LazyLock<Environment> = LazyLock::new(Environment::default);
         Self { seed: Seed::default(), maps: &NoMaps, environment: &PLAIN, with: &[], window: None, time: 0.0, step: 0 }
@@ -37,10 +37,11 @@ impl Default for Context<'static> {
 }
 
 impl Context<'_> {
-    /// The part of a generator's grid that is wanted, with what later stages look at; all of it, where no window is.
+    /// The part of a generator's grid that is wanted, with the surrounding ground that later stages need; all of it without a
+    /// window.
     ///
     /// # Errors
-    /// As [`Window::with_margin`].
+    /// Where [`Window::with_margin`] fails.
     pub fn wanted(&self, grid: Grid) -> Result<Grid> {
         self.window.map_or(Ok(grid.clone()), |window| window.with_margin(&grid))
     }

@@ -1,4 +1,4 @@
-//! What surrounds a landscape: said once, for all stages.
+//! The environment of a landscape, set once for all stages.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -8,25 +8,25 @@ use crate::Result;
 use crate::terrain::Materials;
 use crate::units::{Length, LengthDimension, Rate, RateDimension};
 
-/// Sea level, rain, winds and temperature of a landscape, for every stage that says nothing itself.
+/// Sea level, rain, winds and temperature of a landscape, for every stage that has no values of its own.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Environment {
     /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or { mean = "0 m", amplitude =
-    /// "60 m", period = "100 kyr" }. 0 m if not given.
+    /// "60 m", period = "100 kyr" }. If not given, it is 0 m.
     pub sea_level: Option<Changing<LengthDimension>>,
     /// Rainfall; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Varying<RateDimension>>,
-    /// Winds and the part of the time that each blows.
+    /// Winds, and the fraction of the time that each blows.
     pub wind: Vec<Wind>,
     /// Mean temperature at 0 m, degrees Celsius.
     #[schemars(extend("x-min" = -80.0, "x-max" = 60.0))]
     pub temperature: Option<f64>,
-    /// How much colder it gets upwards, degrees Celsius a kilometre.
+    /// Fall of temperature with height, degrees Celsius a kilometre.
     #[schemars(extend("x-above" = 0.0, "x-max" = 20.0))]
     pub lapse_rate: f64,
-    /// What ground may be made of.
+    /// Materials of the ground.
     #[serde(skip)]
     #[schemars(skip)]
     pub materials: Materials,
@@ -68,7 +68,7 @@ impl Environment {
         own.map_or_else(|| self.sea_level_at(time), Length::si)
     }
 
-    /// A stage's own level of the sea, else that of the environment at the start, m; none where neither says one.
+    /// A stage's own sea level, else that of the environment at the start, m; none where neither is given.
     pub fn sea(&self, own: Option<Length>) -> Option<f64> {
         own.map(Length::si).or(self.sea_level.as_ref().map(|level| level.at(0.0)))
     }
@@ -89,14 +89,14 @@ impl Environment {
     /// The winds of a stage: its own, else those of the environment, else a west wind.
     ///
     /// # Errors
-    /// As [`Rose::new`].
+    /// Where [`Rose::new`] fails.
     pub fn rose(&self, own: &[Wind]) -> Result<Rose> {
         let west = [Wind::from(270.0, 1.0)];
         let winds = [own, &self.wind, &west].into_iter().find(|w| !w.is_empty()).unwrap_or(&west);
         Rose::new("wind", winds)
     }
 
-    /// What ranges cannot say.
+    /// Checks that ranges cannot express.
     ///
     /// # Errors
     /// [`crate::Error::Parameter`] for winds without any weight.

@@ -1,13 +1,12 @@
 //! Formulas of the position.
 //!
-//! Variables: `x`, `y` (m), `u`, `v` (0 to 1, east and north), `r` (0 at the centre, 1 from the nearest edge outwards),
-//! `z` (m). Constants `pi`, `e`. Operators `+ - * / ^`, comparisons (1 or 0), brackets. Functions `abs sqrt exp ln log10 sin
-//! cos tan floor ceil min max step clamp smoothstep lerp if`, and `noise()` in about [−1, 1]: five octaves of gradient noise
-//! whose coarsest waves are an eighth of the terrain wide, `noise(w)` with waves of w metres, `noise(a, b)` at a place of
-//! your own (one unit a wave).
+//! Variables: `x`, `y` (m), `u`, `v` (0 to 1, east and north), `r` (0 at the centre, 1 from the nearest edge outwards), `z` (m).
+//! Constants `pi`, `e`. Operators `+ - * / ^`, comparisons (1 or 0), brackets. Functions `abs sqrt exp ln log10 sin cos tan floor
+//! ceil min max step clamp smoothstep lerp if`, and `noise()` in about [−1, 1]: five octaves of gradient noise whose coarsest
+//! waves are an eighth of the terrain wide, `noise(w)` with waves of w metres, `noise(a, b)` at any position (one unit a wave).
 //!
-//! Own, and not a crate: elementary functions must give the same bits on every platform, three-argument functions are
-//! wanted, and errors must name the character.
+//! No crate is used: elementary functions must give the same bits on every platform, functions of three arguments are needed, and
+//! errors must name the character.
 
 use super::super::algo::noise::fbm;
 use crate::random::Seed;
@@ -76,7 +75,7 @@ impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// [`Error::Formula`] with the character at which it went wrong.
+    /// [`Error::Formula`] if the text is no formula, with the position of the wrong character.
     pub fn parse(text: &str) -> Result<Self> {
         let mut parser = Parser { text: text.chars().collect(), at: 0, depth: 0, program: Vec::new() };
         let result = parser.expression(0).and_then(|()| match parser.peek() {

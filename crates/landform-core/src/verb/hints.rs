@@ -1,14 +1,15 @@
-//! What a form that shows a parameter needs beside its type: the range that people use, its scale, what it is for, where it belongs.
+//! Hints for a form that shows a parameter: the usual range, its scale, its purpose, its group.
 //!
-//! `x-soft-min` and `x-soft-max` are the ends of a slider in the customary unit, never outside of `x-min` and `x-max`; `x-scale` is "linear" or
-//! "log"; `x-role` is "resolution", "count", "coarsening", "input" or "output"; `x-group` is "grid", "files", "surroundings", "options" or "main".
-//! What a parameter's schema says itself is kept.
+//! `x-soft-min` and `x-soft-max` are the ends of a slider in the customary unit, never outside of `x-min` and `x-max`; `x-scale`
+//! is "linear" or "log"; `x-role` is "resolution", "count", "coarsening", "input" or "output"; `x-group` is "grid", "files",
+//! "surroundings", "options" or "main". Hints that a parameter's schema has already are kept.
 
 use serde_json::{Map, Value, json};
 
 use crate::units::soft_range;
 
-/// Adds hints to every parameter of a schema, tables within it too; `defaults` in customary units, `inputs` the keys of files that are read.
+/// Adds hints to every parameter of a schema, tables within it too; `defaults` in customary units, `inputs` the keys of files
+/// that are read.
 pub fn add_hints(schema: &mut Value, defaults: &Value, inputs: &[&str]) {
     let mut tables = Vec::new();
     if let Some(properties) = schema["properties"].as_object_mut() {
@@ -26,7 +27,7 @@ type Tables = Vec<(String, Value)>;
 fn hint_all(properties: &mut Map<String, Value>, defaults: &Value, inputs: &[&str], tables: &mut Tables) {
     for (name, property) in properties {
         let default = &defaults[name];
-        // Tables that hold themselves have no default there, so this ends.
+        // Tables that contain themselves have no default there, so this ends.
         if let Some(table) = property["$ref"].as_str().and_then(|r| r.strip_prefix("#/$defs/"))
             && default.is_object()
         {
@@ -43,6 +44,15 @@ fn hint_all(properties: &mut Map<String, Value>, defaults: &Value, inputs: &[&st
         }
         let group = group(name, property);
         property.entry("x-group").or_insert(group.into());
+        if property.get("x-dimension").is_none()
+            && property.get("type").is_some_and(|t| t == "integer" || t == "number")
+        {
+            for (from, to) in [("x-min", "minimum"), ("x-max", "maximum"), ("x-above", "exclusiveMinimum")] {
+                if let Some(bound) = property.get(from).cloned() {
+                    property.insert(to.into(), bound);
+                }
+            }
+        }
         for (key, value) in slider(property, default) {
             property.entry(key).or_insert(value);
         }
@@ -82,6 +92,9 @@ fn slider(property: &Map<String, Value>, default: &Value) -> Vec<(&'static str, 
         },
     };
     let low = least.map_or(low, |b| low.max(b));
+    // A bound that is itself excluded is no end of a slider.
+    let is_excluded = bound("x-above") == Some(low);
+    let low = if is_excluded { low + 0.01 * (usual.unwrap_or(high).abs().min(high - low)) } else { low };
     let high = most.map_or(high, |b| high.min(b));
     if !(low < high) {
         return Vec::new();

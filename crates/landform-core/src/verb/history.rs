@@ -1,4 +1,4 @@
-//! How a landscape came to be.
+//! The history of a landscape.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ pub struct Event {
     pub outcome: Option<Outcome>,
 }
 
-/// A terrain with its surroundings and the record of how it came to be, as measures and exports see it.
+/// A terrain with its environment and its history, as measures and exports see it.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Landscape<'a, T> {
@@ -34,7 +34,7 @@ pub struct Landscape<'a, T> {
 }
 
 impl<'a, T> Landscape<'a, T> {
-    /// A terrain by itself: no history, the environment that recipes have if they say nothing.
+    /// A terrain by itself: no history, the default environment of recipes.
     pub fn plain(terrain: &'a T) -> Self {
         let environment = super::Context::default().environment;
         Self { terrain, environment, history: &[], seed: 0, title: "" }

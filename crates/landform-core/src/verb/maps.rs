@@ -17,18 +17,18 @@ pub struct Image {
     pub values: Vec<f64>,
 }
 
-/// Reads maps. Core opens no file; whoever runs a recipe says how.
+/// Reads maps. Core opens no file; the program that runs a recipe reads them.
 pub trait Maps: Send + Sync {
     /// Reads a picture as grey.
     ///
     /// # Errors
-    /// [`Error::Io`] or [`Error::Format`].
+    /// [`Error::Io`] if the file cannot be read, [`Error::Format`] if its content is not valid.
     fn image(&self, path: &Path) -> Result<Image>;
 
-    /// Reads a georeferenced raster; one that was read lately is not read again.
+    /// Reads a georeferenced raster; one that was read recently is not read again.
     ///
     /// # Errors
-    /// [`Error::Io`] or [`Error::Format`].
+    /// [`Error::Io`] if the file cannot be read, [`Error::Format`] if its content is not valid.
     fn raster(&self, path: &Path) -> Result<Arc<HeightField>>;
 }
 

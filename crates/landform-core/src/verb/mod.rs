@@ -1,4 +1,4 @@
-//! The verbs: what can be done to a landscape, and how each says what it needs.
+//! The verbs: the kinds of stages, and the traits that they implement.
 //!
 //! *Generate* a start, *edit* it, run a *process* over time, *convert* to another representation, *measure*, *export*.
 //! A verb is a struct of parameters; the struct alone defines its words in recipes, defaults, ranges, help, schema and
@@ -49,7 +49,7 @@ use crate::Result;
 use crate::random::Seed;
 use crate::terrain::Terrain;
 
-/// How much a terrain will need, before it exists.
+/// Size and memory of a terrain, before it exists.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
     /// Number of nodes.
@@ -73,25 +73,25 @@ pub trait Generator<T: Terrain>: Params {
     /// Makes the terrain.
     ///
     /// # Errors
-    /// What the generator's parameters or files are wrong in.
+    /// If a parameter or a file is wrong.
     fn generate(&self, context: &Context) -> Result<T>;
 
     /// What it will need.
     ///
     /// # Errors
-    /// As [`Generator::generate`], as far as can be told without making it.
+    /// Where [`Generator::generate`] would fail, as far as this is known without making the terrain.
     fn estimate(&self, context: &Context) -> Result<Estimate>;
 }
 
-/// Changes a terrain once, not as nature does.
+/// Changes a terrain once, by no natural process.
 pub trait Edit<T: Terrain>: Params {
     /// Changes the terrain.
     ///
     /// # Errors
-    /// What the parameters are wrong in.
+    /// If a parameter is wrong.
     fn edit(&self, terrain: &mut T, context: &Context) -> Result<()>;
 
-    /// What it will need, given what the terrain is.
+    /// Size and memory after the edit, from those before it.
     fn estimate(&self, before: Estimate) -> Estimate {
         Estimate { bytes: before.nodes * 110, ..before }
     }
@@ -102,16 +102,16 @@ pub trait Convert<S: Terrain, T: Terrain>: Params {
     /// Makes the target from the source.
     ///
     /// # Errors
-    /// What the parameters are wrong in.
+    /// If a parameter is wrong.
     fn convert(&self, source: &S) -> Result<T>;
 
-    /// What it will need, given what the source is.
+    /// Size and memory of the target, from those of the source.
     fn estimate(&self, source: Estimate) -> Estimate;
 }
 
-/// Reads a terrain and tells something about it.
+/// Measures a terrain.
 pub trait Measure<T: Terrain>: Params {
-    /// What it tells.
+    /// Result of the measure.
     type Out: Serialize;
 
     /// Where it is written, as JSON, below the output folder.
@@ -120,7 +120,7 @@ pub trait Measure<T: Terrain>: Params {
     /// Measures the terrain.
     ///
     /// # Errors
-    /// What the terrain lacks.
+    /// If the terrain lacks data that the measure needs.
     fn measure(&self, landscape: &Landscape<'_, T>) -> Result<Self::Out>;
 }
 
@@ -129,22 +129,22 @@ pub trait Export<T: Terrain>: Params {
     /// Writes to `out`.
     ///
     /// # Errors
-    /// What the terrain lacks, or the output refuses.
+    /// If the terrain lacks data that the export needs, or the output refuses a file.
     fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()>;
 }
 
 /// Changes a terrain over time.
 pub trait Process<T: Terrain>: Params {
-    /// Fields that it changes or leaves behind ("elevation" among them).
+    /// Fields that it changes or adds ("elevation" among them).
     const WRITES: &'static [&'static str];
 
-    /// What must survive a checkpoint besides the terrain; scratch is `#[serde(skip)]`.
+    /// State that a checkpoint must hold besides the terrain; scratch is `#[serde(skip)]`.
     type State: Serialize + DeserializeOwned + Send + 'static;
 
     /// Begins: resolves parameters that vary in space. Called once, and not on resume.
     ///
     /// # Errors
-    /// What the terrain or the parameters are wrong in.
+    /// If the process cannot start on this terrain with these parameters.
     fn start(&self, terrain: &mut T, context: &Context) -> Result<Self::State>;
 
     /// The clock of a process that counts its own rounds, for recipes that give none.
@@ -162,21 +162,20 @@ pub trait Process<T: Terrain>: Params {
         None
     }
 
-    /// Looks at the terrain as it is at the start of a step, before any process has changed it: flow of a step runs over
-    /// this surface.
+    /// Reads the terrain at the start of a step, before any process has changed it: the flow of a step runs over this surface.
     ///
     /// # Errors
-    /// What failed numerically.
+    /// If a numerical method fails.
     fn begin(&self, _terrain: &T, _state: &mut Self::State, _at: &Step) -> Result<()> {
         Ok(())
     }
 
-    /// Looks at a terrain that was changed from outside, or at other parameters, in mid-run: nothing that was known of ground, status or sea
-    /// holds any more. By default the process begins anew; what it lays down at the start of a run it must not lay down again
-    /// ([`Context::step`] tells).
+    /// Adapts the state in mid-run to a terrain that was changed from outside, or to other parameters: ground, status and sea may
+    /// all differ. By default the process begins anew. It must not add again the material that it adds at the start of a run
+    /// ([`Context::step`] is 0 only there).
     ///
     /// # Errors
-    /// As [`Process::start`].
+    /// Where [`Process::start`] fails.
     fn reconcile(&self, terrain: &mut T, state: &mut Self::State, context: &Context) -> Result<()> {
         *state = self.start(terrain, context)?;
         Ok(())
@@ -185,13 +184,13 @@ pub trait Process<T: Terrain>: Params {
     /// Advances by `at.dt`.
     ///
     /// # Errors
-    /// What failed numerically.
+    /// If a numerical method fails.
     fn step(&self, terrain: &mut T, state: &mut Self::State, at: &Step) -> Result<Change>;
 
-    /// Leaves derived fields behind, after the last step.
+    /// Adds derived fields after the last step.
     ///
     /// # Errors
-    /// What failed numerically.
+    /// If a numerical method fails.
     fn finish(&self, _terrain: &mut T, _state: &mut Self::State, _environment: &Environment) -> Result<()> {
         Ok(())
     }
@@ -200,11 +199,11 @@ pub trait Process<T: Terrain>: Params {
 /// The clock of a process that counts its own rounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OwnClock {
-    /// Length of a round, s; a year where the process knows no time.
+    /// Length of a round, s; a year where the process has no time of its own.
     pub dt: f64,
-    /// Most rounds.
+    /// Greatest number of rounds.
     pub rounds: u64,
-    /// Whether `dt` means anything.
+    /// Whether `dt` is a length in time.
     pub is_timed: bool,
 }
 
@@ -221,22 +220,22 @@ pub struct Step {
     pub dt: f64,
     /// Seed of this step of this process.
     pub seed: Seed,
-    /// Sea level, rain, winds and materials, where the process says nothing itself.
+    /// Sea level, rain, winds and materials, for a process that has no values of its own.
     pub environment: Arc<Environment>,
     /// To be polled by steps that take more than about a second.
     pub cancel: CancelToken,
 }
 
-/// What one step did. Volumes in m³ of solid.
+/// Volumes that one step moved, in m³ of solid.
 ///
 /// Two sums must close: Δvolume = supplied + deposited − eroded, and eroded = deposited + exported + Δcarried.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, serde::Deserialize)]
 pub struct Change {
     /// Brought in from outside: uplift, growth.
     pub supplied: f64,
-    /// Taken from the ground.
+    /// Removed from the ground.
     pub eroded: f64,
-    /// Laid down on the ground.
+    /// Deposited on the ground.
     pub deposited: f64,
     /// Left the domain.
     pub exported: f64,
@@ -275,7 +274,7 @@ impl CancelToken {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether somebody asked.
+    /// Whether a stop was asked for.
     pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

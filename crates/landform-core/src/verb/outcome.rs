@@ -13,11 +13,11 @@ pub enum Stopped {
     MaxSteps,
     /// The terrain changes no more.
     Steady,
-    /// Somebody asked for it; the state can be saved and resumed.
+    /// The run was cancelled; its state can be saved and resumed.
     Cancelled,
     /// An observer asked for it.
     ByObserver,
-    /// Nothing was left to do.
+    /// No process had anything left to do.
     AtRest,
 }
 

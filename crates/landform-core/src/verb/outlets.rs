@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Context, Varying};
-use crate::algo::outlets::{at_or_under, chosen, on_sides, valleys};
+use crate::algo::outlets::{at_or_under, chosen, holes, on_sides, valleys};
 use crate::grid::{Domain, Side, Status};
 use crate::terrain::NodeSurface;
 use crate::units::RatioDimension;
@@ -14,10 +14,10 @@ use crate::{Error, Result};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(
     untagged,
-    expecting = "expected \"border\", \"valleys\", \"sea\", a list of \"north\", \"east\", \"south\", \"west\", or a table with `border_where` and `below`, or with `mask`"
+    expecting = "expected \"border\", \"valleys\", \"holes\", \"sea\", a list of \"north\", \"east\", \"south\", \"west\", or a table with `border_where` and `below`, or with `mask`"
 )]
 pub enum Outlets {
-    /// By a word.
+    /// By name.
     Named(NamedOutlets),
     /// These sides of the bounding rectangle, and no others.
     Sides(Vec<Side>),
@@ -27,7 +27,7 @@ pub enum Outlets {
     Mask(Mask),
 }
 
-/// Outlets by a word.
+/// Outlets by name.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum NamedOutlets {
@@ -35,11 +35,14 @@ pub enum NamedOutlets {
     Border,
     /// The low points of the border; between them the border rises and falls with the land, as on a cut-out of real ground.
     Valleys,
+    /// As "valleys", and the rims of nodata inside: water leaves into lakes that were cut out.
+    Holes,
     /// Every node at or under sea level.
     Sea,
 }
 
-/// Border nodes where a map is below a part of its greatest value: with the map of uplift, the seed's rule (0.33).
+/// Border nodes where a map is below a fraction of its greatest value. With the map of uplift this is the rule of Bell's thesis
+/// (0.33).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BorderWhere {
@@ -66,12 +69,13 @@ impl Outlets {
     /// Makes these nodes, and no others, the terrain's base level, for every process that follows. `sea_level` in m.
     ///
     /// # Errors
-    /// A map that cannot be read, or outlets without a node, with the hint where water could leave.
+    /// If a map cannot be read, or if the outlets have no node; then a hint says where water could leave.
     pub fn apply<T: NodeSurface>(&self, terrain: &mut T, sea_level: f64, context: &Context) -> Result<()> {
         terrain.set_status(None);
         let status = match self {
             Self::Named(NamedOutlets::Border) => return Ok(()),
             Self::Named(NamedOutlets::Valleys) => valleys(terrain),
+            Self::Named(NamedOutlets::Holes) => holes(terrain),
             Self::Named(NamedOutlets::Sea) => at_or_under(sea_level, terrain),
             Self::Sides(sides) => on_sides(sides, terrain),
             Self::Border(rule) => {
@@ -103,10 +107,10 @@ impl Outlets {
         Error::parameter("outlets", "without a single node", &expected)
     }
 
-    /// What ranges cannot say.
+    /// Checks that ranges cannot express.
     ///
     /// # Errors
-    /// An empty list of sides, or a part that is not between 0 and 1.
+    /// If the list of sides is empty, or the part is not between 0 and 1.
     pub fn check(&self) -> Result<()> {
         match self {
             Self::Sides(sides) if sides.is_empty() => {
@@ -154,6 +158,22 @@ mod tests {
             (0..100).filter(|i| (i % 10) * (9 - i / 10) >= 41).count()
         );
         assert!(apply(r#"{"mask":{"formula":"0*u"}}"#).unwrap_err().to_string().contains("without a single node"));
+    }
+
+    #[test]
+    fn water_leaves_into_holes_where_it_may() {
+        let grid = Grid::new(Shape::new(9, 9), [1.0, 1.0]).unwrap();
+        // A bowl whose bottom is cut out, and a corner without data, which is outside.
+        let cut = |i: usize| (i / 9 == 4 && i % 9 == 4) || i == 80;
+        let height = |i: usize| (i as f64 / 9.0 - 4.0).abs() + (i % 9) as f64 * 0.1;
+        let z = (0..81).map(|i| if cut(i) { f64::NAN } else { height(i) }).collect();
+        let mut terrain = HeightField::new(grid, z).unwrap();
+        let context = Context::default();
+        let mut count = |word: NamedOutlets| {
+            Outlets::Named(word).apply(&mut terrain, 0.0, &context).unwrap();
+            base_count(&terrain)
+        };
+        assert_eq!(count(NamedOutlets::Holes), count(NamedOutlets::Valleys) + 8);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Where exports put their files: a folder for the command line, a map for tests.
+//! The place where exports put their files: a folder for the command line, a map for tests.
 
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
@@ -10,7 +10,7 @@ pub trait Output {
     /// Puts a whole file at a path relative to the place, all of it or nothing.
     ///
     /// # Errors
-    /// [`Error::Io`], or [`Error::Parameter`] for a path that leads out of the place.
+    /// [`Error::Io`] if the file cannot be written, [`Error::Parameter`] if the path leads out of the place.
     fn put(&mut self, path: &str, bytes: &[u8]) -> Result<()>;
 }
 
@@ -38,7 +38,7 @@ impl Output for MemoryOutput {
 /// Refuses a path that names no file or does not end as one of `ends`.
 ///
 /// # Errors
-/// [`Error::Parameter`] otherwise.
+/// [`Error::Parameter`] if the path names no file or has another ending.
 pub fn check_path(path: &str, ends: &[&str]) -> Result<()> {
     file_path(path)?;
     if ends.iter().any(|e| path.to_lowercase().ends_with(e)) {
@@ -50,11 +50,15 @@ pub fn check_path(path: &str, ends: &[&str]) -> Result<()> {
 /// The path, if it can be that of a file: not empty, no folder, and not in the folder in which runs keep their state.
 ///
 /// # Errors
-/// [`Error::Parameter`] otherwise.
+/// [`Error::Parameter`] if the path cannot be that of a file.
 pub fn file_path(path: &str) -> Result<&str> {
     let own = Path::new(path).components().any(|c| c.as_os_str() == ".landform");
     let named = Path::new(path).file_name().is_some() && !path.ends_with(['/', '\\']) && !path.ends_with("/.");
-    if own || !named || path.contains('\0') {
+    if own {
+        let expected = "a name other than .landform, where runs keep their state";
+        return Err(Error::parameter("path", format!("\"{path}\""), expected));
+    }
+    if !named || path.contains('\0') {
         return Err(Error::parameter("path", format!("\"{path}\""), "the name of a file"));
     }
     Ok(path)
@@ -63,7 +67,7 @@ pub fn file_path(path: &str) -> Result<&str> {
 /// The path, if it names a file below where it is put.
 ///
 /// # Errors
-/// [`Error::Parameter`] otherwise.
+/// [`Error::Parameter`] if the path leads out of that place.
 ///
 /// ```
 /// # use landform_core::verb::relative_path;

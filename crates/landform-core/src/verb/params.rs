@@ -21,15 +21,15 @@ pub struct Source {
     pub doi: &'static str,
 }
 
-/// The parameters of a stage. From this one struct come the words in recipes, defaults, ranges, refusal of unknown words,
-/// JSON schema, help and citation.
+/// The parameters of a stage. From this one struct follow the keys in recipes, defaults, ranges, refusal of unknown keys, JSON
+/// schema, help and citation.
 ///
 /// Ranges are declared on fields in the customary unit, by `#[schemars(extend("x-min" = 0.0))]`, `x-max`, and `x-above` for
 /// a bound that is itself excluded; [`Params::validate`] reads them back from the schema and enforces them.
 pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonSchema + Send + Sync + 'static {
     /// Name of the stage in recipes.
     const NAME: &'static str;
-    /// The papers behind it; what is not from a paper says where it is from.
+    /// The papers behind it; a method that is not from a paper names its origin.
     const SOURCES: &'static [Source];
     /// Keys whose value is a path to a file that is read.
     const INPUTS: &'static [&'static str] = &[];
@@ -37,7 +37,7 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     const WITH: bool = false;
     /// Parameters that vary in space and may change in time as well.
     const IN_TIME: &'static [&'static str] = &[];
-    /// Words that were used in earlier recipes, and what they are called now ("steps" → "iterations", "size" → "grid.size").
+    /// Keys of earlier recipes, and their names now ("steps" → "iterations", "size" → "grid.size").
     const RENAMED: &'static [(&'static str, &'static str)] = &[];
 
     /// Files that the stage writes, below the output folder.
@@ -45,15 +45,15 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
         Vec::new()
     }
 
-    /// How far around a place the ground can matter to what the stage does there.
+    /// How far around a node the ground can affect the result there.
     fn reach(&self) -> Reach {
         Reach::Whole
     }
 
-    /// What a range cannot say.
+    /// Checks that a range cannot express.
     ///
     /// # Errors
-    /// The first parameter that is wrong.
+    /// If a parameter is wrong; the error names the first.
     fn check(&self) -> Result<()> {
         Ok(())
     }
@@ -61,7 +61,7 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     /// Ranges, then [`Params::check`].
     ///
     /// # Errors
-    /// The first parameter that is wrong.
+    /// If a parameter is wrong; the error names the first.
     fn validate(&self) -> Result<()> {
         let values = serde_json::to_value(self).map_err(|e| Error::parameter(Self::NAME, "?", &e.to_string()))?;
         let schema = schema_of::<Self>();
@@ -95,7 +95,7 @@ pub fn properties<P: JsonSchema>() -> Vec<(String, Value)> {
     }
 }
 
-/// The words that a parameter may be, where it is one of a list.
+/// The values of a parameter, where they are words of a list.
 fn choices(property: &Value, definitions: &Value) -> Vec<String> {
     if let Some(name) = property["$ref"].as_str().and_then(|r| r.strip_prefix("#/$defs/")) {
         return choices(&definitions[name], definitions);
@@ -111,7 +111,8 @@ fn choices(property: &Value, definitions: &Value) -> Vec<String> {
     found
 }
 
-/// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties, tables within tables and lists of tables too.
+/// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties, tables within tables and lists of tables
+/// too.
 ///
 /// # Errors
 /// [`Error::Parameter`] for the first value outside, with its name as a path: "grid.cell_size".

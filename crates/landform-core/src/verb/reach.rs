@@ -1,16 +1,16 @@
-//! How far a stage looks, and the windows that can be built by themselves where it does not look far.
+//! How far around a node a stage reads, and the windows that can be built alone where that is not far.
 
 use crate::grid::Grid;
 use crate::{Error, Result};
 
-/// How far around a place the ground can matter to what a stage does there.
+/// How far around a node the ground can affect the result of a stage there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reach {
-    /// The place alone.
+    /// The node alone.
     Point,
-    /// So many cells around it.
+    /// A number of cells around it.
     Cells(u64),
-    /// So far around it, m.
+    /// A distance around it, m.
     Distance(f64),
     /// All of the ground.
     Whole,
@@ -42,7 +42,7 @@ impl std::fmt::Display for Reach {
     }
 }
 
-/// Ground around a window that must be built as well, so that the window comes out as in the whole.
+/// Ground around a window that must be built as well, so that the window is the same as in the whole.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margin {
     cells: u64,
@@ -57,13 +57,13 @@ impl Margin {
         match reach {
             Reach::Point => self,
             Reach::Cells(n) => Self { cells: self.cells.saturating_add(n), ..self },
-            // Two cells for what interpolates between nodes.
+            // Two cells for stages that interpolate between nodes.
             Reach::Distance(d) => Self { distance: self.distance + d, cells: self.cells.saturating_add(2), ..self },
             Reach::Whole => Self { is_whole: true, ..self },
         }
     }
 
-    /// Width on nodes so far apart, m; none if the whole ground is needed.
+    /// Width on nodes with this distance, m; none if the whole ground is needed.
     pub fn width(self, cell: f64) -> Option<f64> {
         (!self.is_whole).then_some(self.distance + self.cells as f64 * cell)
     }
@@ -74,7 +74,7 @@ impl Margin {
 pub struct Window {
     /// South-west and north-east corner, m.
     pub bounds: [[f64; 2]; 2],
-    /// Ground around it that later stages look at.
+    /// Ground around it that later stages read.
     pub margin: Margin,
 }
 
@@ -91,14 +91,18 @@ impl Window {
         self.of(grid, width)
     }
 
-    /// First and last row and column of a grid that the window and so much around it has, as a grid.
+    /// The part of a grid that the window with `width` around it covers, as a grid.
     ///
     /// # Errors
     /// [`Error::Parameter`] if the window lies outside.
     pub fn of(&self, grid: &Grid, width: f64) -> Result<Grid> {
         let outside = || {
             let [[w, s], [e, n]] = grid.bounds();
-            Error::parameter("region", self, &format!("a window of the ground, which lies at {w},{s},{e},{n} m"))
+            Error::parameter(
+                "region",
+                self,
+                &format!("a window with nodes of the ground, which lies at {w},{s},{e},{n} m"),
+            )
         };
         let [first, last] = grid.nodes_within(self.bounds, width).ok_or_else(outside)?;
         grid.window(first, last)

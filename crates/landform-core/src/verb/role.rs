@@ -1,10 +1,10 @@
-//! Roles of parameters: what a coarser copy of a recipe changes.
+//! Roles of parameters, by which a coarser copy of a recipe changes them.
 
 use serde_json::Value;
 
 use super::params::table_of;
 
-/// What a parameter is for, where a program must know: `x-role` in the schema.
+/// Role of a parameter, where a program needs it: `x-role` in the schema.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Role {
@@ -12,7 +12,7 @@ pub enum Role {
     Resolution,
     /// Number of nodes: falls with the square.
     Count,
-    /// So many samples of a file become one; grows, unless a resolution says the same.
+    /// Number of samples of a file that become one. It grows, unless a resolution is given as well.
     Coarsening,
 }
 

@@ -11,12 +11,13 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::changing::{Course, course_schemas};
 use super::{Changing, Formula, Maps, Reach};
 use crate::feature::{FeatureKind, near};
+use crate::grid::{Grid, Registration};
 use crate::random::Seed;
 use crate::terrain::NodeSurface;
 use crate::units::{Dimension, Length, Quantity, unit_factor};
 use crate::{Error, Result, math, parallel};
 
-/// What values are resolved against.
+/// Context in which values are resolved.
 pub trait Lookup: Sync {
     /// Seed of the stage.
     fn seed(&self) -> Seed;
@@ -72,9 +73,9 @@ pub enum Varying<D: Dimension> {
     },
     /// One value on features of the landscape and near them, another elsewhere.
     Feature {
-        /// Word for the features: "rivers".
+        /// Name of the kind of features: "rivers".
         kind: String,
-        /// How near is near.
+        /// Distance up to which a node counts as near.
         buffer: Length,
         /// Value on and near them.
         inside: Quantity<D>,
@@ -138,17 +139,17 @@ impl<D: Dimension> Varying<D> {
         if let Self::InTime(course) = self { Some(course.mean(from, to)) } else { None }
     }
 
-    /// How far around a place the ground can matter to the value there.
+    /// How far around a node the ground can affect the value there.
     pub fn reach(&self) -> Reach {
         if let Self::Feature { buffer, .. } = self { Reach::Distance(buffer.si()) } else { Reach::Point }
     }
 
-    /// The values on the nodes of a terrain, SI; evaluated once, so a formula of z sees the elevation as it is now, and a course in time is taken at
-    /// the start ([`Varying::in_time`] gives it later).
+    /// The values on the nodes of a terrain, SI; evaluated once, so that a formula of z uses the elevation as it is now, and a
+    /// course in time its value at the start ([`Varying::in_time`] gives it later).
     ///
     /// # Errors
-    /// A missing file or field, a raster that does not cover the terrain, or a value that is not finite, with `name` as the
-    /// parameter's name.
+    /// If a file or a field is missing, a raster does not cover the terrain, or a value is not finite; the error names the
+    /// parameter `name`.
     pub fn resolve<T: NodeSurface>(&self, name: &str, terrain: &T, context: &impl Lookup) -> Result<Resolved> {
         let n = terrain.elevation().len();
         let values = match self {
@@ -176,7 +177,7 @@ impl<D: Dimension> Varying<D> {
                     ));
                 }
                 let factor = factor::<D>(unit);
-                parallel::map(n, |i| factor * raster.elevation_at(terrain.position(i)))
+                parallel::map(n, |i| factor * raster.elevation_at(within_pixels(raster.grid(), terrain.position(i))))
             }
             Self::Formula { formula, unit } => {
                 let factor = factor::<D>(unit);
@@ -217,6 +218,16 @@ impl<D: Dimension> Varying<D> {
         }
         Ok(Resolved::PerNode(values))
     }
+}
+
+/// A position on the outer half of a pixel as one between the pixels' centres: the outermost values hold to the pixels' edges.
+fn within_pixels(grid: &Grid, position: [f64; 2]) -> [f64; 2] {
+    let [lo, hi] = grid.bounds();
+    let near = |k: usize| position[k].clamp(lo[k], hi[k]);
+    let half = |k: usize| 0.5 * grid.spacing[k] * (1.0 + 1e-9);
+    let is_on = grid.georeference.registration == Registration::Area
+        && (0..2).all(|k| (near(k) - position[k]).abs() <= half(k));
+    if is_on { [near(0), near(1)] } else { position }
 }
 
 fn ratio(part: f64, whole: f64) -> f64 {

@@ -13,7 +13,7 @@ use crate::{Error, Result, math};
 pub struct Wind {
     /// Compass direction that it comes from: 270 deg is a west wind.
     pub from: Angle,
-    /// Part of the time that it blows, against the other winds.
+    /// Fraction of the time that it blows, relative to the other winds.
     #[serde(default = "one")]
     #[schemars(extend("x-min" = 0.0))]
     pub weight: f64,

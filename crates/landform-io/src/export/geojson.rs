@@ -1,8 +1,12 @@
-//! What all GeoJSON files have in common.
+//! Parts that all GeoJSON files share.
 
 use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
+use landform_core::grid::Degrees;
+use landform_core::terrain::NodeSurface;
 use landform_core::{Error, Result};
 use serde_json::{Value as Json, json};
+
+const WGS_84: u16 = 4326;
 
 /// A feature as GeoJSON.
 pub(super) fn json_of(feature: &Feature) -> Json {
@@ -38,9 +42,19 @@ fn value(property: &Property) -> Json {
     }
 }
 
-/// A collection as text, one feature a line: small differences stay small.
-pub(super) fn collection(title: &str, epsg: Option<u16>, features: Vec<Json>) -> Result<String> {
+/// A collection as text, one feature a line: small differences stay small. Metres that were made from degrees are written as degrees.
+pub(super) fn collection(title: &str, place: &impl NodeSurface, mut features: Vec<Json>) -> Result<String> {
     let mut collection = json!({ "type": "FeatureCollection", "name": title });
+    let mut epsg = place.epsg();
+    if let Some(degrees) = place.degrees() {
+        // Without a name they are of WGS 84 by the standard.
+        epsg = degrees.epsg.filter(|e| *e != WGS_84);
+        for feature in &mut features {
+            to_degrees(&mut feature["geometry"]["coordinates"], &degrees);
+            let properties = feature["properties"].as_object_mut();
+            properties.into_iter().flat_map(|p| p.values_mut()).for_each(|place| to_degrees(place, &degrees));
+        }
+    }
     if let Some(epsg) = epsg {
         let name = format!("urn:ogc:def:crs:EPSG::{epsg}");
         collection["crs"] = json!({ "type": "name", "properties": { "name": name } });
@@ -48,4 +62,15 @@ pub(super) fn collection(title: &str, epsg: Option<u16>, features: Vec<Json>) ->
     collection["features"] = features.into();
     let text = serde_json::to_string(&collection).map_err(|e| Error::format("GeoJSON", e))?;
     Ok(text.replace("{\"geometry\"", "\n{\"geometry\""))
+}
+
+/// Positions, however deep, as longitude and latitude.
+fn to_degrees(value: &mut Json, degrees: &Degrees) {
+    let Some(items) = value.as_array_mut() else { return };
+    if let [Json::Number(x), Json::Number(y), ..] = items.as_slice() {
+        let place = degrees.of([x, y].map(|v| v.as_f64().unwrap_or_default()));
+        items.iter_mut().zip(place).for_each(|(item, v)| *item = json!(v));
+        return;
+    }
+    items.iter_mut().for_each(|item| to_degrees(item, degrees));
 }

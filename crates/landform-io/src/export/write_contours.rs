@@ -4,23 +4,23 @@ use landform_core::analysis::{FeatureSearch, find_features};
 use landform_core::feature::{Feature, FeatureKind, Geometry};
 use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
 use landform_core::units::Length;
-use landform_core::verb::{Export, Landscape, Output, Params, Source, check_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, check_path};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::geojson::{collection, json_of};
 
-/// Writes contours as lines (closed ones as rings, high ground on their left), in the landscape's own metres: GeoJSON. One level alone
-/// is a coast.
+/// Writes contours as GeoJSON lines in the landscape's own metres. Closed contours are rings with high ground on their left. The
+/// contour of one level alone is a coast.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteContours {
     /// Path below the output folder.
     pub path: String,
-    /// These levels; else levels at every interval.
+    /// Elevations of the contours. If none are given, they lie at every interval.
     pub levels: Vec<Length>,
-    /// Difference between levels; a round number that gives about fifteen if not given.
+    /// Difference between levels. If not given, it is a round number that gives about fifteen levels.
     #[schemars(extend("x-above" = 0.0))]
     pub interval: Option<Length>,
     /// Lines shorter than this are left out.
@@ -38,6 +38,10 @@ impl Params for WriteContours {
     const NAME: &'static str = "write_contours";
     const SOURCES: &'static [Source] = &[];
 
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
+
     fn outputs(&self) -> Vec<String> {
         vec![self.path.clone()]
     }
@@ -47,7 +51,7 @@ impl Params for WriteContours {
     }
 }
 
-/// More contours than this are a mistake.
+/// More contours than this are refused.
 const MOST_LEVELS: f64 = 5_000.0;
 
 impl WriteContours {
@@ -86,7 +90,7 @@ impl<T: Rasterize> Export<T> for WriteContours {
             _ => true,
         };
         let features = found.iter().filter(is_long).map(json_of).collect();
-        out.put(&self.path, collection(landscape.title, raster.epsg(), features)?.as_bytes())
+        out.put(&self.path, collection(landscape.title, &*raster, features)?.as_bytes())
     }
 }
 

@@ -11,30 +11,33 @@ use serde::{Deserialize, Serialize};
 
 use super::geojson::{collection, json_of};
 
-/// Writes rivers as lines that only run downhill (x, y and the water's elevation), lakes and basins as polygons, with their
-/// properties: GeoJSON in the landscape's own metres.
+/// Writes rivers, lakes and basins with their properties as GeoJSON, in the landscape's own metres. Rivers are lines that only
+/// run downhill (x, y and the water's elevation); lakes and basins are polygons.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteFeatures {
     /// Path below the output folder.
     pub path: String,
-    /// What is written. What the landscape has already is written as it is, the rest is found first.
+    /// Kinds of features that are written. Features that the landscape already has are written as they are; others are found
+    /// first.
     pub features: Vec<FeatureWord>,
-    /// Word of earlier recipes: false leaves rivers out.
+    /// Key of earlier recipes: false leaves rivers out.
     pub rivers: Option<bool>,
-    /// Word of earlier recipes: false leaves lakes out.
+    /// Key of earlier recipes: false leaves lakes out.
     pub lakes: Option<bool>,
-    /// Word of earlier recipes: false leaves basins out.
+    /// Key of earlier recipes: false leaves basins out.
     pub basins: Option<bool>,
-    /// Least drainage area of a river and of a basin; a two-thousandth of the map if not given.
+    /// Least drainage area of a river and of a basin. If not given, it is a two-thousandth of the map.
     #[schemars(extend("x-above" = 0.0))]
     pub least_area: Option<Area>,
     /// Least depth of a lake, where it is deepest.
     #[schemars(extend("x-min" = 0.0))]
     pub least_depth: Length,
-    /// Sea level, at which rivers end. As the environment has it, if not given; else rivers end at the landscape's own outlets.
+    /// Sea level, at which rivers end. If not given, it is the environment's; without one, rivers end at the landscape's own
+    /// outlets.
     pub sea_level: Option<Length>,
-    /// Rainfall for discharge, where the landscape has no field of it; all of it runs off. As the environment has it, if not given; else 1 m/yr.
+    /// Rainfall from which discharge follows, where the landscape has no field of discharge; all of it runs off. If not given, it
+    /// is the environment's, or else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Rate>,
     /// Width of a river that carries 1 m3/s, m, where the depth of the water is not known.
@@ -117,6 +120,6 @@ impl<T: Rasterize> Export<T> for WriteFeatures {
         )?;
         let of = |kind: &FeatureKind| known.of(*kind).chain(found.of(*kind)).map(json_of).collect::<Vec<_>>();
         let features = kinds.iter().flat_map(of).collect();
-        out.put(&self.path, collection(landscape.title, terrain.epsg(), features)?.as_bytes())
+        out.put(&self.path, collection(landscape.title, terrain, features)?.as_bytes())
     }
 }

@@ -14,18 +14,18 @@ use super::{WriteContours, WriteFeatures};
 use crate::format::{RasterFile, encode_png, raster_format};
 use crate::report::{field_pictures, spectrum_picture};
 
-/// Writes maps of what follows from the ground into a folder: pictures (shaded relief, slope, drainage area, curvature, position, spectrum), GeoTIFFs (slope,
-/// aspect, drainage area) and GeoJSON (contours, rivers, lakes, basins).
+/// Writes maps derived from the ground into a folder: pictures (shaded relief, slope, drainage area, curvature, position,
+/// spectrum), GeoTIFFs (slope, aspect, drainage area) and GeoJSON (contours, rivers, lakes, basins).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteMaps {
     /// Folder below the output folder.
     pub path: String,
-    /// Sea level, at which rivers end. As the environment has it, if not given.
+    /// Sea level, at which rivers end. If not given, it is the environment's.
     pub sea_level: Option<Length>,
 }
 
-/// What may be written; which of them depends on the landscape.
+/// Files that may be written; the landscape decides which.
 const FILES: &[&str] =
     &["contours.geojson", "features.geojson", "slope.tif", "aspect.tif", "drainage_area.tif", "spectrum.png"];
 

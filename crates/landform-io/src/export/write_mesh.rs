@@ -4,14 +4,14 @@ use std::path::Path;
 
 use landform_core::terrain::{HeightField, Mesh};
 use landform_core::units::Length;
-use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_of_water, mesh_format};
 
-/// Which surface.
+/// Surface that is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MeshSurface {
@@ -25,7 +25,7 @@ pub enum MeshSurface {
 /// Water shallower than this is left out of its sheet, m.
 const SHALLOWEST: f64 = 0.1;
 
-/// Writes the surface as triangles; the extension says which: glb (y up), obj, ply, stl (z up), metres.
+/// Writes the surface as triangles in metres; the extension sets the format: glb (y up), obj, ply, stl (z up).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteMesh {
@@ -33,8 +33,8 @@ pub struct WriteMesh {
     pub path: String,
     /// "ground", or "water": the surface of rivers and lakes, on a raster that has a depth of water.
     pub surface: MeshSurface,
-    /// Makes a watertight body, with walls and a floor so far under the lowest point, for printing; the surface alone if not
-    /// given.
+    /// Depth of a floor under the lowest point: with walls down to it the mesh is watertight, for printing. If not given, only
+    /// the surface is written.
     #[schemars(extend("x-above" = 0.0))]
     pub solid_base: Option<Length>,
 }
@@ -48,6 +48,10 @@ impl Default for WriteMesh {
 impl Params for WriteMesh {
     const NAME: &'static str = "write_mesh";
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
 
     fn outputs(&self) -> Vec<String> {
         vec![self.path.clone()]
@@ -64,6 +68,9 @@ impl Params for WriteMesh {
 
 impl WriteMesh {
     fn write(&self, mesh: MeshFile, out: &mut dyn Output) -> Result<()> {
+        if mesh.triangles.is_empty() {
+            return Err(Error::Empty { what: "the surface: it is nowhere two nodes wide".into() });
+        }
         let mesh = match self.solid_base {
             Some(thickness) => mesh.solid(thickness.si()),
             None => mesh,

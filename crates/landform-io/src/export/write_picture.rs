@@ -4,7 +4,7 @@ use landform_core::analysis::{LEAST_WINDOW, density};
 use landform_core::grid::Shape;
 use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
 use landform_core::units::Angle;
-use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -18,16 +18,16 @@ use crate::render::{MapStyle, Picture, Ramp, View, field_map, perspective, shade
 pub struct WritePicture {
     /// Path below the output folder.
     pub path: String,
-    /// What is drawn.
+    /// View that is drawn.
     pub view: ViewKind,
-    /// Longer side, pixels.
+    /// Length of the longer side, pixels.
     #[schemars(extend("x-min" = 16, "x-max" = 16_384))]
     pub size: usize,
-    /// Map only: the field that is shown; elevation with rivers and lakes if not given.
+    /// Map only: field that is shown. If not given, it is elevation with rivers and lakes.
     pub field: Option<String>,
     /// Map only: colour ramp.
     pub ramp: Option<Ramp>,
-    /// Map only: logarithmic scale for the field.
+    /// Map only: whether the field has a logarithmic scale.
     pub logarithmic: Option<bool>,
     /// Whether rivers and lakes are drawn.
     pub water: bool,
@@ -44,12 +44,12 @@ pub struct WritePicture {
     /// Perspective only: factor on elevations.
     #[schemars(extend("x-above" = 0.0, "x-max" = 100.0))]
     pub exaggeration: f64,
-    /// Perspective only: 1 frames the whole block; more comes closer.
+    /// Perspective only: zoom factor. With 1 the whole block is in view; larger values come closer.
     #[schemars(extend("x-min" = 0.1, "x-max" = 20.0))]
     pub zoom: f64,
 }
 
-/// What is drawn.
+/// View of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ViewKind {
@@ -57,7 +57,8 @@ pub enum ViewKind {
     Map,
     /// A block of land under a low sun.
     Perspective,
-    /// The density of relief over the plane of wave numbers, density and radius logarithmic: long waves in the middle.
+    /// The spectral density of relief over the plane of wave numbers, with long waves in the middle. Density and radius are
+    /// logarithmic.
     Spectrum,
 }
 
@@ -86,6 +87,10 @@ impl Params for WritePicture {
     const NAME: &'static str = "write_picture";
     const SOURCES: &'static [Source] = &[];
 
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
+
     fn outputs(&self) -> Vec<String> {
         vec![self.path.clone()]
     }
@@ -106,7 +111,7 @@ impl WritePicture {
     /// Draws the picture.
     ///
     /// # Errors
-    /// A field that is missing; as `HeightField::new`.
+    /// If a field is missing, and where `HeightField::new` fails.
     pub fn draw<T: Rasterize>(&self, terrain: &T) -> Result<Picture> {
         let raster = terrain.rasterized()?;
         if self.view == ViewKind::Perspective {

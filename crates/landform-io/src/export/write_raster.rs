@@ -4,15 +4,15 @@ use std::path::Path;
 
 use landform_core::field::{Values, names};
 use landform_core::terrain::{HeightField, NodeSurface};
-use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::{Compression, DataType, GeotiffOptions, RasterFile, Samples, raster_format, sidecar_path};
 
-/// Writes a field as a raster file; the extension says which: tif, asc, exr, npy, png (16 bit), pgm, r16. Formats that do
-/// not carry their own scale and place get a sidecar, its name with .landform.json after it, which also tells what classes mean.
+/// Writes a field as a raster file; the extension sets the format: tif, asc, exr, npy, png (16 bit), pgm, r16. Formats that do
+/// not hold scale and position get a sidecar, with .landform.json after the file's name. It also says what classes mean.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteRaster {
@@ -20,11 +20,12 @@ pub struct WriteRaster {
     pub field: String,
     /// Path below the output folder.
     pub path: String,
-    /// GeoTIFF only: type of the samples. If not given, float32 for real numbers, uint32 for identifiers, uint8 for classes.
+    /// GeoTIFF only: type of the samples. If not given, it is float32 for real numbers, uint32 for identifiers, uint8 for
+    /// classes.
     pub data_type: Option<DataType>,
     /// GeoTIFF only: how the samples are packed.
     pub compression: Compression,
-    /// GeoTIFF only: tiles of 512 x 512 rather than strips.
+    /// GeoTIFF only: whether the file has tiles of 512 x 512 rather than strips.
     pub tiled: bool,
 }
 
@@ -43,6 +44,10 @@ impl Default for WriteRaster {
 impl Params for WriteRaster {
     const NAME: &'static str = "write_raster";
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
 
     fn outputs(&self) -> Vec<String> {
         let sidecar = raster_format(Path::new(&self.path)).is_ok_and(|f| f.needs_sidecar);

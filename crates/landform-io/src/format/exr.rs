@@ -7,14 +7,14 @@ use exr::prelude::{
     Text, WritableImage, read as exr_read,
 };
 use landform_core::grid::Shape;
-use landform_core::terrain::HeightField;
 use landform_core::{Error, Result};
 
+use super::said::Stored;
 use super::{RasterFile, Sidecar, check_dimensions};
 
 const NAME: &str = "OpenEXR";
 
-pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightField> {
+pub(super) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
     let fail = |e: exr::error::Error| Error::format(NAME, e);
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(fail)?;
     for header in &meta.headers {
@@ -26,24 +26,52 @@ pub(super) fn read(bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightFiel
         .no_deep_data()
         .largest_resolution_level()
         .all_channels()
-        .first_valid_layer()
+        .all_layers()
         .all_attributes()
         .non_parallel()
         .from_buffered(Cursor::new(bytes))
         .map_err(fail)?;
-    let layer = image.layer_data;
+    let channels = image.layer_data.iter().flat_map(|l| l.channel_data.list.iter().map(move |c| (l, c)));
+    let names: Vec<String> = channels.clone().map(|(_, c)| c.name.to_string()).collect();
+    let taken = (0..names.len()).min_by_key(|&k| rank(&names[k])).filter(|&k| rank(&names[k]) < ALPHA);
+    let Some((layer, channel)) = taken.and_then(|k| channels.clone().nth(k)) else {
+        return Err(Error::format(NAME, format!("it has no channel of heights (channels: {})", names.join(", "))));
+    };
     let shape = Shape::new(layer.size.height(), layer.size.width());
-    let channels = layer.channel_data.list;
-    let channel = ["Y", "R", "Z"]
-        .iter()
-        .find_map(|name| channels.iter().find(|c| c.name == **name))
-        .or_else(|| channels.first())
-        .ok_or_else(|| Error::format(NAME, "it has no channel"))?;
-    if channel.sample_data.len() != shape.len() {
-        return Err(Error::format(NAME, "its channel is subsampled"));
+    let values = |c: &AnyChannel<FlatSamples>| -> Result<Vec<f64>> {
+        if c.sample_data.len() != shape.len() {
+            return Err(Error::format(NAME, "its channel is subsampled"));
+        }
+        Ok(c.sample_data.values_as_f32().map(f64::from).collect())
+    };
+    let alpha = layer.channel_data.list.iter().find(|c| last_name(&c.name.to_string()).eq_ignore_ascii_case("A"));
+    let alpha = alpha.map(values).transpose()?.map(|a| a.into_iter().map(|a| a > 0.0).collect::<Vec<_>>());
+    let mut stored = Stored::bare(shape, values(channel)?);
+    // A picture that is nowhere opaque says nothing by it.
+    stored.valid = alpha.filter(|a| a.contains(&true));
+    if names.len() > 1 && !["Y", "R"].contains(&channel.name.to_string().as_str()) {
+        stored.notes.push(format!("channel {} of {} is taken", channel.name, names.join(", ")));
     }
-    let raw: Vec<f64> = channel.sample_data.values_as_f32().map(f64::from).collect();
-    HeightField::new(Sidecar::grid(sidecar, shape)?, Sidecar::values(sidecar, raw.into_iter()))
+    Ok(stored)
+}
+
+/// The rank of a channel that holds no heights.
+const ALPHA: usize = 4;
+
+/// The lower, the more likely a channel holds heights: by its name, after that of its layer.
+fn rank(name: &str) -> usize {
+    let name = last_name(name).to_uppercase();
+    match name.as_str() {
+        "Y" | "HEIGHT" | "ELEVATION" | "DISPLACEMENT" => 0,
+        "R" => 1,
+        "Z" => 2,
+        "A" | "AR" | "AG" | "AB" | "ALPHA" => ALPHA,
+        _ => 3,
+    }
+}
+
+fn last_name(name: &str) -> &str {
+    name.rsplit('.').next().unwrap_or(name)
 }
 
 pub(super) fn write(file: &RasterFile) -> Result<Vec<u8>> {

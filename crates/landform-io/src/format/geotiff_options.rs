@@ -1,4 +1,4 @@
-//! What can be chosen where a GeoTIFF is written.
+//! Options of a GeoTIFF that is written.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ pub enum DataType {
     Uint8,
 }
 
-/// What can be chosen.
+/// Options of a GeoTIFF.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeotiffOptions {
     /// Type of the samples.

@@ -1,4 +1,4 @@
-//! A surface as files of meshes want it.
+//! A surface in the form that mesh files need.
 
 use std::collections::HashSet;
 
@@ -13,7 +13,7 @@ pub struct MeshFile {
     pub points: Vec<[f64; 3]>,
     /// Triangles.
     pub triangles: Vec<[u32; 3]>,
-    /// Middle of what this is a part of, m, so that parts stored about it fit together; its own middle if none.
+    /// Middle of the whole that this is a part of, m, so that parts stored about it fit together. If none, it is its own middle.
     pub middle: Option<[f64; 2]>,
 }
 
@@ -32,7 +32,7 @@ pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
 /// The surface of the water on a raster where it is at least `least` deep, by its field of depth.
 ///
 /// # Errors
-/// A terrain without that field, or without water.
+/// If the terrain lacks that field, or has no water.
 pub fn mesh_file_of_water(field: &HeightField, least: f64) -> Result<MeshFile> {
     let depth = field.fields().get(&names::WATER_DEPTH, "the surface of the water")?;
     let surface = |i: usize| if depth[i] >= least { field.elevation()[i] + depth[i] } else { f64::NAN };

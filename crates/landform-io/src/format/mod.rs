@@ -1,5 +1,5 @@
-//! Files of rasters and meshes. Every reader takes hostile bytes: it answers with a terrain or an error, and asks for no
-//! more memory than a file of that length can honestly fill.
+//! Files of rasters and meshes. Every reader accepts hostile bytes: it returns a terrain or an error, and allocates no more
+//! memory than a file of that length can fill.
 //!
 //! ```
 //! use std::path::Path;
@@ -11,7 +11,7 @@
 //! let values = [0.0, 1.5, 3.0, 4.5, 6.0, f64::NAN];
 //! let format = raster_format(Path::new("ground.tif"))?;
 //! let bytes = (format.write)(&RasterFile::real(&grid, &values, "elevation", "m", 0))?;
-//! let back = (format.read)(&bytes, None)?;
+//! let back = format.read(&bytes, None)?;
 //! assert_eq!(back.elevation()[..5], values[..5]);
 //! assert!(back.elevation()[5].is_nan());
 //! # Ok::<(), landform_core::Error>(())
@@ -19,6 +19,7 @@
 
 mod animation;
 mod ascii_grid;
+mod beside;
 mod exr;
 mod geotiff;
 mod geotiff_options;
@@ -27,30 +28,41 @@ mod mesh;
 mod npy;
 mod obj;
 mod picture;
+mod placement;
 mod ply;
+mod pnm;
 mod raster_file;
 mod raw16;
+mod reading;
+mod said;
 mod sidecar;
 mod stl;
+mod system;
+mod systems;
 mod table;
+mod wkt;
+mod xml;
 
 pub use animation::{animation_extension, encode_animation};
+pub use beside::sidecar_path;
 pub(crate) use exr::write_rgb as write_exr_rgb;
 pub use geotiff_options::{Compression, DataType, GeotiffOptions};
 pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_of_water};
 pub use picture::{encode_png, read_grey};
 pub use raster_file::{RasterFile, Samples};
 pub(crate) use raw16::{STEPS, quantize};
+pub use reading::{Reading, UNPLACED};
 pub use sidecar::Sidecar;
+pub(crate) use systems::{is_geographic, is_in_metres, is_web_mercator};
 pub use table::{
-    MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFormat, load_raster, mesh_format, raster_format, sidecar_path,
+    MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFormat, load_raster, mesh_format, raster_format, read_raster,
 };
 
 use landform_core::{Error, Result};
 
-/// The most bytes that a file of a given length may unpack to: deflate's best ratio is 1032.
+/// The most bytes that a file of a given length may unpack to: deflate's best ratio is 1032, and small files may be all alike.
 fn most_unpacked(file_length: usize) -> u64 {
-    (file_length as u64).saturating_mul(1100).saturating_add(1 << 20)
+    (file_length as u64).saturating_mul(1100).saturating_add(1 << 22)
 }
 
 /// Refuses dimensions that a file of this length cannot fill.

@@ -4,7 +4,7 @@ use landform_core::grid::Grid;
 
 use super::GeotiffOptions;
 
-/// What the values of a raster are.
+/// Kind of the values of a raster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Samples {
     /// Real numbers.
@@ -33,7 +33,7 @@ pub struct RasterFile<'a> {
     pub legend: Vec<(u8, String)>,
     /// Seed of the recipe, for the sidecar.
     pub seed: u64,
-    /// What GeoTIFF lets one choose.
+    /// Options of GeoTIFF.
     pub geotiff: GeotiffOptions,
 }
 
@@ -46,6 +46,18 @@ impl<'a> RasterFile<'a> {
 }
 
 impl RasterFile<'_> {
+    /// Whether some values are missing.
+    pub fn has_nodata(&self) -> bool {
+        self.values.iter().any(|v| !v.is_finite())
+    }
+
+    /// Whether 32-bit floats would blur the values by more than a millionth of their range.
+    pub fn needs_float64(&self) -> bool {
+        let (lo, hi) = self.range();
+        let blur = |v: &f64| (v - f64::from(*v as f32)).abs();
+        self.values.iter().filter(|v| v.is_finite()).any(|v| blur(v) > 1e-6 * (hi - lo))
+    }
+
     /// Least and greatest value; (0, 0) without data.
     pub fn range(&self) -> (f64, f64) {
         let finite = self.values.iter().copied().filter(|v| v.is_finite());

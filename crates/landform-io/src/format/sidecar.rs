@@ -1,18 +1,22 @@
 //! The JSON file beside a raster that says what its numbers mean.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use landform_core::grid::{Georeference, Grid, Registration, Shape};
+use landform_core::grid::{Degrees, GeoKeys, Registration, Shape};
 use landform_core::{Error, Result};
 use serde::{Deserialize, Serialize};
 
 use super::RasterFile;
+use super::placement::Placement;
+use super::said::Said;
+use super::system::System;
 
-/// What a sidecar says. Unknown keys are passed over, so that other programs' sidecars can be read.
+/// Content of a sidecar. Unknown keys are ignored, so that other programs' sidecars can be read.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Sidecar {
-    /// What wrote it.
+    /// Program that wrote it.
     pub program: Option<String>,
     /// Name of the field.
     pub field: Option<String>,
@@ -36,19 +40,28 @@ pub struct Sidecar {
     pub dx_m: Option<f64>,
     /// Distance between rows, m.
     pub dy_m: Option<f64>,
-    /// Distance between rows and columns, degrees.
+    /// Distance between columns, degrees.
     pub cell_deg: Option<f64>,
-    /// x of the first column's samples, m.
+    /// Distance between rows, degrees, where it is another.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell_deg_north: Option<f64>,
+    /// x of the first column's samples, m (or degrees, where cells are in degrees).
     pub west: Option<f64>,
-    /// y of the first row's samples, m.
+    /// y of the first row's samples, m (or degrees).
     pub north: Option<f64>,
     /// "EPSG:32611", or null.
     pub crs: Option<String>,
+    /// The longitude and latitude that metres were made from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<Degrees>,
+    /// The system as GeoTIFF states it, where a code does not tell it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geo_keys: Option<GeoKeys>,
     /// Raw value that stands for nodata.
     pub nodata: Option<f64>,
-    /// "north to south".
+    /// "north to south", or the other way.
     pub row_order: Option<String>,
-    /// "little" for RAW16.
+    /// "little", or "big", for RAW16.
     pub byte_order: Option<String>,
     /// "point" or "area".
     pub registration: Option<String>,
@@ -71,12 +84,18 @@ impl Sidecar {
         if !positive(sidecar.dx_m)
             || !positive(sidecar.dy_m)
             || !positive(sidecar.cell_deg)
+            || !positive(sidecar.cell_deg_north)
+            || !finite(sidecar.west)
+            || !finite(sidecar.north)
+            || !sidecar
+                .degrees
+                .is_none_or(|d| d.origin.into_iter().all(f64::is_finite) && d.metres.into_iter().all(|m| m > 0.0))
             || !finite(sidecar.scale)
             || !finite(sidecar.offset)
         {
             return Err(Error::format(
                 "sidecar",
-                "`dx_m`, `dy_m` and `cell_deg` must be > 0, `scale` and `offset` finite",
+                "`dx_m`, `dy_m` and `cell_deg` must be > 0, `scale`, `offset`, `west` and `north` finite, `degrees` sound",
             ));
         }
         Ok(sidecar)
@@ -86,24 +105,33 @@ impl Sidecar {
     pub fn describe(file: &RasterFile, steps: Option<f64>) -> Self {
         let (min, max) = file.range();
         let grid = file.grid;
+        let [dx, dy] = grid.spacing;
+        let in_metres = !grid.georeference.geographic;
+        // The lowest step is kept for nodata, where there is any.
+        let nodata = (steps.is_some() && file.has_nodata()).then_some(0.0);
+        let scale = steps.map_or(1.0, |n| (max - min) / if nodata.is_some() { n - 1.0 } else { n });
+        let offset = steps.map_or(0.0, |_| if nodata.is_some() { min - scale } else { min });
         Self {
             program: Some(concat!("landform ", env!("CARGO_PKG_VERSION")).into()),
             field: Some(file.field.into()),
             unit: Some(file.unit.into()),
             value: Some("raw * scale + offset".into()),
-            scale: Some(steps.map_or(1.0, |n| (max - min) / n)),
-            offset: Some(if steps.is_some() { min } else { 0.0 }),
+            scale: Some(scale),
+            offset: Some(offset),
             min: Some(min),
             max: Some(max),
             width: Some(grid.shape.cols),
             height: Some(grid.shape.rows),
-            dx_m: Some(grid.spacing[0]),
-            dy_m: Some(grid.spacing[1]),
-            cell_deg: None,
+            dx_m: in_metres.then_some(dx),
+            dy_m: in_metres.then_some(dy),
+            cell_deg: (!in_metres).then_some(dx),
+            cell_deg_north: (!in_metres && dx != dy).then_some(dy),
             west: Some(grid.origin[0]),
             north: Some(grid.origin[1]),
             crs: grid.georeference.epsg.map(|e| format!("EPSG:{e}")),
-            nodata: None,
+            degrees: grid.georeference.degrees,
+            geo_keys: grid.georeference.keys.as_deref().cloned(),
+            nodata,
             row_order: Some("north to south".into()),
             byte_order: Some("little".into()),
             registration: Some("point".into()),
@@ -121,25 +149,53 @@ impl Sidecar {
         serde_json::to_vec_pretty(self).map_err(|e| Error::format("sidecar", e))
     }
 
-    /// The grid for a raster of this shape; one metre a cell without a sidecar.
+    /// What it says of a raster of this shape.
     ///
     /// # Errors
-    /// As [`Grid::new`].
-    pub fn grid(sidecar: Option<&Self>, shape: Shape) -> Result<Grid> {
-        let s = sidecar.cloned().unwrap_or_default();
-        let dx = s.dx_m.or(s.cell_deg).unwrap_or(1.0);
-        let mut grid = Grid::new(shape, [dx, s.dy_m.unwrap_or(dx)])?;
-        grid.origin = [s.west.unwrap_or(0.0), s.north.unwrap_or(grid.origin[1])];
-        let epsg = s.crs.as_deref().and_then(|c| c.strip_prefix("EPSG:")).and_then(|c| c.parse().ok());
-        let geographic = s.dx_m.is_none() && (s.cell_deg.is_some() || epsg == Some(4326));
-        grid.georeference = Georeference { epsg, geographic, registration: Registration::Point };
-        Ok(grid)
+    /// [`Error::Format`] where it tells of another size.
+    pub(super) fn said(&self, shape: Shape) -> Result<Said> {
+        let (width, height) = (self.width.unwrap_or(shape.cols), self.height.unwrap_or(shape.rows));
+        if (height, width) != (shape.rows, shape.cols) {
+            return Err(Error::Format {
+                format: "sidecar",
+                what: format!(
+                    "it tells of {width} x {height} samples, the file beside it has {} x {}",
+                    shape.cols, shape.rows
+                ),
+                hint: Some("if it belongs to another file, move it away".into()),
+            });
+        }
+        Ok(Said {
+            nodata: self.nodata,
+            scale: self.scale,
+            offset: self.offset,
+            unit: self.unit.clone(),
+            placement: self.placement(shape),
+            system: self.system(),
+            south_first: self.row_order.as_deref().is_some_and(|o| o.starts_with("south")),
+        })
     }
 
-    /// The values of raw numbers; NaN for nodata.
-    pub fn values(sidecar: Option<&Self>, raw: impl Iterator<Item = f64>) -> Vec<f64> {
-        let (scale, offset, nodata) =
-            sidecar.map_or((1.0, 0.0, None), |s| (s.scale.unwrap_or(1.0), s.offset.unwrap_or(0.0), s.nodata));
-        raw.map(|r| if Some(r) == nodata { f64::NAN } else { r * scale + offset }).collect()
+    fn placement(&self, shape: Shape) -> Option<Placement> {
+        let dx = self.dx_m.or(self.cell_deg)?;
+        let dy = if self.dx_m.is_some() { self.dy_m } else { self.cell_deg_north }.unwrap_or(dx);
+        let north = self.north.unwrap_or((shape.rows - 1) as f64 * dy);
+        let registration = Registration::Point;
+        Some(Placement { spacing: [dx, dy], origin: [self.west.unwrap_or(0.0), north], registration })
+    }
+
+    fn system(&self) -> Option<System> {
+        let epsg: Option<u16> = self.crs.as_deref().and_then(|c| c.strip_prefix("EPSG:")).and_then(|c| c.parse().ok());
+        if self.dx_m.is_none() && self.cell_deg.is_none() && epsg.is_none() {
+            return None;
+        }
+        let named = epsg.map(System::of_code).unwrap_or_default();
+        Some(System {
+            geographic: named.geographic || self.dx_m.is_none() && self.cell_deg.is_some(),
+            unit: self.dx_m.or(self.cell_deg).map(|_| 1.0),
+            keys: self.geo_keys.clone().map(Arc::new),
+            degrees: self.degrees,
+            ..named
+        })
     }
 }

@@ -1,13 +1,16 @@
 //! The list of formats.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use landform_core::error::nearest;
 use landform_core::terrain::HeightField;
 use landform_core::{Error, Result};
 
+use super::beside::{Found, InFile};
+use super::reading::{Beside, Reading, decide};
+use super::said::Stored;
 use super::{
-    MeshFile, RasterFile, Samples, Sidecar, ascii_grid, exr, geotiff, glb, npy, obj, picture, ply, raw16, stl,
+    MeshFile, RasterFile, Samples, Sidecar, ascii_grid, beside, exr, geotiff, glb, npy, obj, picture, ply, raw16, stl,
 };
 use crate::files::read_whole;
 
@@ -18,8 +21,8 @@ pub struct RasterFormat {
     pub extensions: &'static [&'static str],
     /// What it is called.
     pub name: &'static str,
-    /// Reads a file's bytes, helped by its sidecar if there is one.
-    pub read: fn(&[u8], Option<&Sidecar>) -> Result<HeightField>,
+    /// Finds what a file's bytes say; a sidecar tells the size of those that do not.
+    stored: fn(&[u8], Option<&Sidecar>) -> Result<Stored>,
     /// Writes a file's bytes.
     pub write: fn(&RasterFile) -> Result<Vec<u8>>,
     /// Whether the numbers need a sidecar to be understood.
@@ -29,6 +32,17 @@ pub struct RasterFormat {
 }
 
 impl RasterFormat {
+    /// Reads a file's bytes, helped by its sidecar if there is one.
+    ///
+    /// # Errors
+    /// [`Error::Format`], or [`Error::Empty`] without any data.
+    pub fn read(&self, bytes: &[u8], sidecar: Option<&Sidecar>) -> Result<HeightField> {
+        let stored = (self.stored)(bytes, sidecar)?;
+        let said = sidecar.map(|s| s.said(stored.shape)).transpose()?;
+        let beside = Beside { said: said.into_iter().collect(), ..Beside::default() };
+        decide(self.name, stored, beside).map(|reading| reading.field)
+    }
+
     /// The sidecar of a file, where the format needs one.
     pub fn sidecar(&self, file: &RasterFile) -> Option<Sidecar> {
         let stored = self.is_stepped && file.samples != Samples::Classes;
@@ -41,7 +55,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {
         extensions: &["tif", "tiff"],
         name: "GeoTIFF",
-        read: geotiff::read,
+        stored: geotiff::read,
         write: geotiff::write,
         needs_sidecar: false,
         is_stepped: false,
@@ -49,7 +63,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {
         extensions: &["asc"],
         name: "ESRI ASCII grid",
-        read: ascii_grid::read,
+        stored: ascii_grid::read,
         write: ascii_grid::write,
         needs_sidecar: false,
         is_stepped: false,
@@ -57,7 +71,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {
         extensions: &["exr"],
         name: "OpenEXR",
-        read: exr::read,
+        stored: exr::read,
         write: exr::write,
         needs_sidecar: true,
         is_stepped: false,
@@ -65,7 +79,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {
         extensions: &["npy"],
         name: "NumPy array",
-        read: npy::read,
+        stored: npy::read,
         write: npy::write,
         needs_sidecar: true,
         is_stepped: false,
@@ -73,7 +87,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {
         extensions: &["png"],
         name: "PNG",
-        read: picture::read_png,
+        stored: picture::read_png,
         write: picture::write_png,
         needs_sidecar: true,
         is_stepped: true,
@@ -81,7 +95,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {
         extensions: &["pgm", "ppm", "pnm"],
         name: "PNM",
-        read: picture::read_pnm,
+        stored: picture::read_pnm,
         write: picture::write_pgm,
         needs_sidecar: true,
         is_stepped: true,
@@ -89,7 +103,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
     RasterFormat {
         extensions: &["r16", "raw"],
         name: "RAW16",
-        read: raw16::read,
+        stored: raw16::read,
         write: raw16::write,
         needs_sidecar: true,
         is_stepped: true,
@@ -149,41 +163,30 @@ pub fn mesh_format(path: &Path) -> Result<&'static MeshFormat> {
     })
 }
 
-/// Where the sidecar of a file is written: beside it, by its full name.
-pub fn sidecar_path(path: &str) -> String {
-    format!("{path}.landform.json")
-}
-
-/// Reads a raster from disk, with its sidecar if there is one (`name.ext.landform.json`, `name.landform.json` or
-/// `name.json` beside it).
+/// Reads a raster from disk, with what lies beside it: its sidecar where the format needs one (`name.ext.landform.json`,
+/// `name.landform.json` or `name.json`), `.aux.xml`, world file, `.prj` and `.msk`.
 ///
 /// # Errors
-/// [`Error::Io`] or [`Error::Format`], naming the file.
-pub fn load_raster(path: &Path) -> Result<HeightField> {
+/// [`Error::Io`], [`Error::Format`] or [`Error::Empty`], naming the file.
+pub fn read_raster(path: &Path) -> Result<Reading> {
     let format = raster_format(path)?;
     let bytes = read_whole(path)?;
-    let sidecar = sidecar_paths(path).into_iter().find(|p| p.is_file()).map(|p| {
-        let text = read_whole(&p)?;
-        Sidecar::parse(&text).map_err(|e| named(e, &p))
-    });
-    (format.read)(&bytes, sidecar.transpose()?.as_ref()).map_err(|e| named(e, path))
+    let Found { sidecar, mut notes } = if format.needs_sidecar { beside::sidecar(path)? } else { Found::default() };
+    let read = || {
+        let stored = (format.stored)(&bytes, sidecar.as_ref().map(|s| &s.1))?;
+        let said = sidecar.as_ref().map(|(at, s)| s.said(stored.shape).map_err(|e| e.in_file(at))).transpose()?;
+        let mut beside = beside::look(format.name, path, stored.shape)?;
+        beside.said.splice(0..0, said);
+        notes.append(&mut beside.notes);
+        decide(format.name, stored, Beside { notes, ..beside })
+    };
+    read().map_err(|e| e.in_file(path))
 }
 
-fn sidecar_paths(path: &Path) -> [PathBuf; 3] {
-    [
-        PathBuf::from(sidecar_path(&path.display().to_string())),
-        path.with_extension("landform.json"),
-        path.with_extension("json"),
-    ]
-}
-
-/// The error with the file's name in it.
-fn named(error: Error, path: &Path) -> Error {
-    match error {
-        Error::Format { format, what, hint } => {
-            Error::Format { format, what: format!("{what} ({})", path.display()), hint }
-        }
-        Error::Empty { .. } => Error::Empty { what: path.display().to_string() },
-        other => other,
-    }
+/// As [`read_raster`], without its notes.
+///
+/// # Errors
+/// As [`read_raster`].
+pub fn load_raster(path: &Path) -> Result<HeightField> {
+    read_raster(path).map(|reading| reading.field)
 }

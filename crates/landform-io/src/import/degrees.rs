@@ -1,28 +1,62 @@
 //! Rasters in longitude and latitude.
 //!
 //! # Method
-//! Distances east shrink with the cosine of the latitude. One scale for the whole raster, that of its middle, is wrong by half of the change between its middle and its
-//! southern or northern side. Rasters where that passes 5 % are refused: they need a projection.
+//! Distances east shrink with the cosine of the latitude. One scale for the whole raster, that of its middle, is wrong by half of
+//! the change between its middle and its southern or northern side. Rasters where this error exceeds 5 % are refused: they need a
+//! projection.
 //!
 //! # Sources
 //! Metres per degree: series on the WGS 84 ellipsoid (American Practical Navigator, table 7).
 
+use landform_core::grid::{Degrees, Georeference};
 use landform_core::terrain::HeightField;
 use landform_core::{Error, Result, math};
 
+use crate::format::is_web_mercator;
+
 /// The greatest relative error of distances that is accepted.
 const MOST_ERROR: f64 = 0.05;
+/// Radius of the Mercator projection of web maps, m.
+pub(super) const EQUATORIAL_RADIUS: f64 = 6_378_137.0;
 
-/// Whether coordinates are degrees: said so, or no system is named and they could hardly be metres.
+/// Whether coordinates are degrees: the file says so, or was taken so when it was read.
 pub fn in_degrees(field: &HeightField) -> bool {
+    field.grid().georeference.geographic
+}
+
+/// How many of its units a metre is at the middle of a raster in the Mercator projection of web maps, whose units are metres at the
+/// equator only; none in other systems.
+pub fn mercator_stretch(field: &HeightField) -> Option<f64> {
     let grid = field.grid();
-    let [x, y] = grid.origin;
-    let tiny = grid.spacing[0] < 0.1 && x.abs() <= 360.0 && y.abs() <= 90.0 && [x, y] != [0.0, grid.extent()[1]];
-    // A whole globe, or a hemisphere, in cells of up to two degrees.
-    let [dx, dy] = grid.extent();
-    let near = |a: f64, b: f64| (a - b).abs() <= grid.spacing[0].max(grid.spacing[1]);
-    let globe = grid.spacing[0] <= 2.0 && near(dx, 360.0) && near(y, 90.0) && dy <= 181.0;
-    grid.georeference.geographic || (grid.georeference.epsg.is_none() && (tiny || globe))
+    grid.georeference.epsg.filter(|e| is_web_mercator(*e))?;
+    let [[_, south], [_, north]] = grid.bounds();
+    // Latitude is the Gudermannian of y over the radius; the stretch 1 / cos of that is cosh.
+    let up = math::exp(0.5 * (south + north) / EQUATORIAL_RADIUS);
+    Some(0.5 * (up + 1.0 / up))
+}
+
+/// Refuses a raster of a web map's projection where its units are further from metres than degrees may be.
+///
+/// # Errors
+/// [`Error::Parameter`].
+pub(super) fn check_stretch(field: &HeightField) -> Result<()> {
+    match mercator_stretch(field) {
+        Some(stretch) if !(stretch - 1.0 <= MOST_ERROR) => {
+            let value = format!("EPSG:3857, {}", stretch_text(stretch));
+            Err(Error::parameter("coordinates", value, "metres: warp it to UTM first"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What a stretch does, in words.
+pub fn stretch_text(stretch: f64) -> String {
+    let latitude = math::acos((1.0 / stretch).min(1.0)).to_degrees();
+    format!(
+        "whose units are {:.3} m at {latitude:.1} degrees of latitude: slopes come out {stretch:.2} times too gentle, areas {:.2} times too large",
+        1.0 / stretch,
+        stretch * stretch
+    )
 }
 
 /// Metres per degree of longitude and of latitude.
@@ -34,10 +68,11 @@ fn metres_per_degree(latitude: f64) -> [f64; 2] {
     ]
 }
 
-/// Takes longitude and latitude as metres at the middle latitude. Gives the greatest relative error of distances that this makes.
+/// Converts longitude and latitude to metres at the middle latitude. Returns the greatest relative error of distances that this
+/// causes.
 ///
 /// # Errors
-/// [`Error::Parameter`] where the error is more than 5 %, or latitudes are beyond 90 degrees.
+/// [`Error::Parameter`] if the error is more than 5 %, or if latitudes are beyond 90 degrees.
 pub fn metres_from_degrees(field: &mut HeightField) -> Result<f64> {
     let mut grid = field.grid().clone();
     let (north, south) = (grid.origin[1], grid.origin[1] - grid.extent()[1]);
@@ -59,9 +94,10 @@ pub fn metres_from_degrees(field: &mut HeightField) -> Result<f64> {
             "metres: warp it to an equal-area projection or to UTM first",
         ));
     }
+    let degrees = Degrees { origin: [grid.origin[0], south], metres: [east, up], epsg: grid.georeference.epsg };
     grid.spacing = [grid.spacing[0] * east, grid.spacing[1] * up];
     grid.origin = [0.0, grid.extent()[1]];
-    grid.georeference = Default::default();
+    grid.georeference = Georeference { epsg: None, geographic: false, degrees: Some(degrees), ..grid.georeference };
     field.set_grid(grid)?;
     Ok(error)
 }
@@ -92,5 +128,36 @@ mod tests {
         assert!(text.contains("% wrong"), "{text}");
         assert!(metres_from_degrees(&mut field(85.0, 95.0)).is_err());
         assert!(metres_from_degrees(&mut field(-3.0, 3.0)).unwrap() < 0.002);
+    }
+
+    #[test]
+    fn degrees_come_back_as_degrees() {
+        let source = field(45.0, 45.1);
+        let mut metres = source.clone();
+        metres_from_degrees(&mut metres).unwrap();
+        assert!(metres.grid().georeference.epsg.is_none() && !in_degrees(&metres));
+        let back = metres.grid().in_its_system();
+        assert!(back.georeference.geographic);
+        for k in 0..2 {
+            assert!((back.spacing[k] / source.grid().spacing[k] - 1.0).abs() < 1e-12);
+            assert!((back.origin[k] - source.grid().origin[k]).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn units_of_web_maps_are_metres_at_the_equator_only() {
+        let at = |y: f64, epsg: u16| {
+            let mut grid = Grid::new(Shape::new(3, 3), [30.0, 30.0]).unwrap();
+            grid.origin = [1_000_000.0, y];
+            grid.georeference.epsg = Some(epsg);
+            HeightField::new(grid, vec![1.0; 9]).unwrap()
+        };
+        // 60 degrees north.
+        let north = at(8_399_737.9, 3857);
+        assert!((mercator_stretch(&north).unwrap() - 2.0).abs() < 1e-4);
+        let text = check_stretch(&north).unwrap_err().to_string();
+        assert!(text.contains("0.500 m at 60.0 degrees") && text.contains("2.00 times too gentle"), "{text}");
+        assert!(check_stretch(&at(-8_399_737.9, 3857)).is_err() && check_stretch(&at(500.0, 3857)).is_ok());
+        assert_eq!(mercator_stretch(&at(8_399_737.9, 32_611)), None);
     }
 }

@@ -11,27 +11,28 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::degrees::{in_degrees, metres_from_degrees};
+use super::blocks::{blocks, grid_of_blocks};
+use super::degrees::{check_stretch, in_degrees, metres_from_degrees};
 
-/// Real ground, or any raster, from a GeoTIFF, ASCII grid, PNG, EXR, NPY or RAW16 file. Nodata stays outside of the landscape.
+/// Real ground, or any raster, from a GeoTIFF, ASCII grid, PNG, EXR, NPY or RAW16 file. Nodata remains outside the landscape.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ElevationFile {
     /// Path of the file, relative to the recipe.
     pub path: String,
-    /// Resamples to this distance between nodes; the file's own if not given.
+    /// Distance between nodes that the file is resampled to. If not given, it is the file's own.
     #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub cell_size: Option<Length>,
-    /// Takes the mean of so many by so many samples as one; without `cell_size`.
+    /// Size of the square blocks of samples whose mean becomes one node, in samples a side; without `cell_size`.
     #[schemars(extend("x-min" = 1, "x-max" = 4_096, "x-role" = "coarsening"))]
     pub coarsen: u32,
-    /// Between the file's samples, where `cell_size` is smaller than theirs.
+    /// How elevations between the file's samples are found, where `cell_size` is smaller than their spacing.
     pub interpolation: Interpolation,
-    /// Takes longitude and latitude as metres at the middle latitude (refused where that is more than 5 % wrong); without it degrees are
-    /// refused, since slope and drainage need metres.
+    /// Whether longitude and latitude are converted to metres at the middle latitude. A file for which that is more than 5 %
+    /// wrong is refused. Without it degrees are refused, since slope and drainage need metres.
     pub degrees_to_metres: bool,
     /// Where water leaves: "valleys" (the low points of the border, since a cut through a hillside is no river mouth),
-    /// "border", or a list of sides.
+    /// "holes" (these, and the rims of nodata inside, such as lakes that were cut out), "border", or a list of sides.
     pub outlets: Outlets,
 }
 
@@ -67,10 +68,9 @@ impl Params for ElevationFile {
 impl ElevationFile {
     /// The grid that the file's samples are brought to; none if they stay.
     fn target(&self, source: &Grid) -> Result<Option<Grid>> {
-        let fewer = |n: usize| (n - 1).div_ceil(self.coarsen as usize) + 1;
         match self.cell_size {
             Some(cell_size) => source.with_cell_size(cell_size.si()).map(Some),
-            None if self.coarsen > 1 => source.with_shape(fewer(source.shape.rows), fewer(source.shape.cols)).map(Some),
+            None if self.coarsen > 1 => grid_of_blocks(source, self.coarsen as usize).map(Some),
             None => Ok(None),
         }
     }
@@ -88,6 +88,7 @@ impl ElevationFile {
             }
             metres_from_degrees(&mut field)?;
         }
+        check_stretch(&field)?;
         Ok(field)
     }
 }
@@ -95,7 +96,9 @@ impl ElevationFile {
 impl Generator<HeightField> for ElevationFile {
     fn generate(&self, context: &Context) -> Result<HeightField> {
         let mut field = self.read(context)?;
-        if let Some(target) = self.target(field.grid())? {
+        if self.cell_size.is_none() && self.coarsen > 1 {
+            field = blocks(&field, self.coarsen as usize)?;
+        } else if let Some(target) = self.target(field.grid())? {
             field = resample(&field, &target, self.interpolation)?;
         }
         self.outlets.apply(&mut field, 0.0, context)?;

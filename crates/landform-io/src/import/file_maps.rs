@@ -10,17 +10,19 @@ use landform_core::verb::{Image, Maps};
 use landform_core::{Error, Result};
 
 use crate::files::read_whole;
-use crate::format::{load_raster, read_grey};
+use crate::format::{read_grey, read_raster};
 
-/// Bytes of rasters that are kept at most.
+/// Greatest number of bytes of rasters that are kept.
 const MOST_BYTES: usize = 1 << 30;
 
-/// Reads maps from disk, each once: a raster is kept until others that were read later need the room.
+/// Reads maps from disk, each once: a raster is kept until rasters that were read later need the memory.
 #[derive(Debug)]
 pub struct FileMaps {
     folder: PathBuf,
     /// The most recently used last.
     rasters: Mutex<Vec<Kept>>,
+    /// What files say that is not followed, and what was assumed.
+    notes: Mutex<Vec<String>>,
 }
 
 #[derive(Debug)]
@@ -33,16 +35,21 @@ struct Kept {
 impl FileMaps {
     /// Paths are relative to this folder.
     pub fn new(folder: &Path) -> Self {
-        Self { folder: folder.into(), rasters: Mutex::default() }
+        Self { folder: folder.into(), rasters: Mutex::default(), notes: Mutex::default() }
+    }
+
+    /// Notes of the readers since the last call: what a file says that is not followed, and what was assumed.
+    pub fn take_notes(&self) -> Vec<String> {
+        std::mem::take(&mut *self.notes.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     fn rasters(&self) -> MutexGuard<'_, Vec<Kept>> {
-        // A list that somebody panicked over is still a list.
+        // A list is still valid after a panic of another thread.
         self.rasters.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-/// Length and time of a file: what tells that it is still the same.
+/// Length and time of a file, by which a changed file is known.
 fn stamp(path: &Path) -> Option<(u64, SystemTime)> {
     let meta = fs::metadata(path).ok()?;
     Some((meta.len(), meta.modified().ok()?))
@@ -72,7 +79,12 @@ impl Maps for FileMaps {
             return Ok(raster);
         }
         drop(rasters);
-        let raster = Arc::new(load_raster(&path)?);
+        let reading = read_raster(&path)?;
+        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+        let mut notes = self.notes.lock().unwrap_or_else(PoisonError::into_inner);
+        notes.extend(reading.notes.iter().map(|note| format!("{name}: {note}")));
+        drop(notes);
+        let raster = Arc::new(reading.field);
         let mut rasters = self.rasters();
         rasters.retain(|kept| kept.path != path);
         rasters.push(Kept { path, stamp: now, raster: raster.clone() });

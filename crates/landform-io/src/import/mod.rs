@@ -1,11 +1,12 @@
-//! What comes in from files.
+//! Ground, maps and lines from files.
 
+mod blocks;
 mod degrees;
 mod elevation_file;
 mod file_maps;
 mod lines;
 
-pub use degrees::{in_degrees, metres_from_degrees};
+pub use degrees::{in_degrees, mercator_stretch, metres_from_degrees, stretch_text};
 pub use elevation_file::ElevationFile;
 pub use file_maps::FileMaps;
 pub use lines::{Line, lines};

@@ -9,18 +9,18 @@ use landform_core::verb::{Landscape, Measure, Params, Rose, Source, Wind, check_
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Measures dunes: height, spacing, direction of crests, bare ground, share near repose, and what the dunes are called.
+/// Measures dunes: height, spacing, direction of crests, bare ground, share of sand near repose, and the type of the dunes.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MeasureDunes {
     /// Path below the output folder.
     pub path: String,
-    /// The winds that made them. As the environment has them, if none are given; else a west wind.
+    /// Winds that made them. If none are given, they are the environment's, or else a west wind.
     pub wind: Vec<Wind>,
     /// Angle of repose of the sand.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub repose: Angle,
-    /// Whether the sides of the map meet.
+    /// Whether the map is periodic: opposite sides meet.
     pub periodic: bool,
 }
 

@@ -1,4 +1,4 @@
-//! The stages that tell something about a terrain, as JSON. Meshes are measured on the raster that stands for them.
+//! The stages that measure a terrain and write JSON. Meshes are measured on the raster made of them.
 //!
 //! ```
 //! use landform_core::grid::{Grid, Shape};

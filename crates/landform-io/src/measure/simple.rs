@@ -47,7 +47,7 @@ const EVANS: Source = Source {
     doi: "",
 };
 
-/// A stage whose only parameter is where it writes.
+/// A stage whose only parameter is the path of its file.
 macro_rules! measure {
     ($(#[$doc:meta])* $name:ident, $stage:literal, $path:literal, [$($source:expr),*], $out:ty, |$raster:ident| $body:expr) => {
         $(#[$doc])*
@@ -93,23 +93,25 @@ macro_rules! measure {
 }
 
 measure!(
-    /// Measures how much ground lies how high: the hypsometric curve, its integral and skew, Strahler's model and class.
+    /// Measures hypsometry, the area of ground at each height: the hypsometric curve, its integral and skew, Strahler's model and
+    /// class.
     MeasureHypsometry, "measure_hypsometry", "hypsometry.json", [STRAHLER], Hypsometry, |raster| hypsometry(raster.elevation())
 );
 
 /// Spectrum, profiles and variogram.
 #[derive(Clone, Debug, Serialize)]
 pub struct SpectrumMeasured {
-    /// Of the surface; none if no square of 32 nodes a side has data.
+    /// Spectrum of the surface; none if no square of 32 nodes a side has data.
     pub spectrum: Option<Spectrum>,
-    /// Of its rows and columns, with the spacing of valleys that stands out.
+    /// Spectra of its rows and columns, with the spacing of valleys that stands out.
     pub transects: Option<Transects>,
     /// Differences against distance.
     pub variogram: Variogram,
 }
 
 measure!(
-    /// Measures how much relief there is at every wavelength: spectral density, its exponents, the spacing that stands out, the variogram.
+    /// Measures the spectrum, the relief at every wavelength: spectral density, its exponents, the spacing that stands out, the
+    /// variogram.
     MeasureSpectrum, "measure_spectrum", "spectrum.json", [SAUPE, PERRON], SpectrumMeasured, |raster| {
         let (grid, z) = (raster.grid(), raster.elevation());
         let spectrum = spectrum(grid, z);
@@ -138,8 +140,8 @@ pub struct SurfaceMeasured {
     pub surface: Option<Surface>,
     /// Pits, peaks, sinks.
     pub form: Form,
-    /// Half the integral over the map of z_xx² + 2 z_xy² + z_yy²: what a thin plate of this shape holds (without unit);
-    /// none where cells are not square.
+    /// Half the integral over the map of z_xx² + 2 z_xy² + z_yy²: the energy that a thin plate of this shape holds (without
+    /// unit); none where cells are not square.
     pub bending_energy: Option<f64>,
 }
 

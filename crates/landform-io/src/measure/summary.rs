@@ -45,12 +45,12 @@ impl Params for MeasureSummary {
     }
 }
 
-/// What is measured.
+/// Results of the measure.
 #[derive(Clone, Debug, Serialize)]
 pub struct Measured {
     /// Elevations and slopes.
     pub summary: Summary,
-    /// How much ground lies how high.
+    /// Hypsometry: the area of ground at each height.
     pub hypsometry: Hypsometry,
     /// Slope against drainage area.
     pub slope_area: SlopeArea,

@@ -1,4 +1,4 @@
-//! What the ground shows: sand, snow, and beds of rock.
+//! Cover of the ground: sand, snow, and beds of rock.
 
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{math, parallel};
@@ -35,7 +35,7 @@ fn rock_colour(name: &str) -> u32 {
     ROCKS.iter().find(|r| r.0 == name).map_or(0x9b8f82, |r| r.1)
 }
 
-/// What bedded rock shows on every node.
+/// Colour and share of bedded rock on every node.
 fn bare_rock(field: &HeightField) -> Vec<(u32, f64)> {
     let Some(layers) = field.layers().filter(|l| l.has_beds()) else { return Vec::new() };
     let loose: Vec<&str> = layers.loose().collect();
@@ -53,7 +53,7 @@ fn bare_rock(field: &HeightField) -> Vec<(u32, f64)> {
 }
 
 impl Cover {
-    /// What lies on a raster.
+    /// The cover of a raster.
     pub(super) fn of(field: &HeightField) -> Self {
         let depth = |material: &str| field.depth(material).map(<[f64]>::to_vec).unwrap_or_default();
         let [dx, dy] = field.grid().spacing;

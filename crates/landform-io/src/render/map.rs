@@ -41,7 +41,7 @@ const GAINED: u32 = 0xb23a2c;
 /// Shaded relief coloured by elevation.
 ///
 /// # Errors
-/// As [`HeightField::new`].
+/// Where [`HeightField::new`] fails.
 pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     let (grid, z) = (field.grid(), field.elevation());
     let (lo, hi) = range(z);
@@ -84,7 +84,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
 /// Any field in a colour ramp over faint relief.
 ///
 /// # Errors
-/// As [`HeightField::new`].
+/// Where [`HeightField::new`] fails.
 pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Result<Picture> {
     let (lo, hi) = range(field.elevation());
     let shade = relief(field.grid(), field.elevation(), hi - lo);
@@ -103,7 +103,7 @@ pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Resul
 /// Heights gained (red) and lost (blue) over grey relief; colours are as strong as the amount against its 99th percentile.
 ///
 /// # Errors
-/// As [`HeightField::new`].
+/// Where [`HeightField::new`] fails.
 pub fn difference_map(field: &HeightField, difference: &[f64], size: usize) -> Result<Picture> {
     let (lo, hi) = range(field.elevation());
     let shade = relief(field.grid(), field.elevation(), hi - lo);

@@ -2,9 +2,10 @@
 //!
 //! # Method
 //! Rays march through a pyramid of greatest elevations and are refined on the bilinear patch that they hit. Sun and sky
-//! visibility are computed once per node ([`light`](super::light)) and interpolated, as are normals and ground colours:
-//! grass on gentle low ground, bare soil and rock with slope and height, snow on gentle high ground. Water is a surface above the ground
-//! (flat on lakes, along the bed in rivers), tinted by its depth, and mirrors the sky by Schlick's law. Several rays a pixel, jittered by key.
+//! visibility are computed once per node ([`light`](super::light)) and interpolated, as are normals and ground colours: grass on
+//! gentle low ground, bare soil and rock with slope and height, snow on gentle high ground. Water is a surface above the ground
+//! (flat on lakes, along the bed in rivers), tinted by its depth, and mirrors the sky by Schlick's law. Several rays a pixel,
+//! jittered by key.
 
 use landform_core::algo::derivative::gradient;
 use landform_core::grid::Grid;
@@ -153,7 +154,7 @@ impl Camera {
     }
 }
 
-/// Everything about a node that shading wants.
+/// All values of a node that shading needs.
 #[derive(Clone, Copy)]
 struct Skin {
     normal: Vector,

@@ -13,7 +13,7 @@ use super::pictures::{figure, shrunk};
 use super::plot::{Plot, Series, Style, linear, logarithmic};
 use crate::render::{MapStyle, Picture, difference_map, shaded_map};
 
-/// What came of a comparison.
+/// Result of a comparison.
 #[derive(Debug, Serialize)]
 pub struct ComparisonReport {
     /// How B differs from A.

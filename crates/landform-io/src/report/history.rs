@@ -1,4 +1,4 @@
-//! How a landscape came to be, and the papers behind it.
+//! The history of a landscape, and the papers behind it.
 
 use landform_core::units::YEAR;
 use landform_core::verb::{Event, Outcome};

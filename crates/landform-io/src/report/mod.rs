@@ -18,7 +18,7 @@ pub use comparison::{ComparisonReport, compare_reports};
 use page::page;
 pub(crate) use pictures::{field_pictures, spectrum_picture};
 
-/// What was measured of a landscape, with its report card.
+/// Measures of a landscape, with its report card.
 ///
 /// ```
 /// use landform_core::grid::{Grid, Shape};
@@ -50,7 +50,7 @@ impl Analysis {
     /// Measures a raster; with a `sea_level` (m), the ground above it.
     ///
     /// # Errors
-    /// As [`metrics`].
+    /// Where [`metrics`] fails.
     pub fn of(raster: &HeightField, sea_level: Option<f64>) -> Result<Self> {
         let (metrics, drawings) = metrics(raster, sea_level)?;
         let card = report_card(&metrics);
@@ -63,10 +63,10 @@ impl Analysis {
     }
 }
 
-/// The report of a landscape. `raster` is the terrain itself, or what stands for it; `analysis` was measured on it.
+/// The report of a landscape. `raster` is the terrain itself, or the raster made of it; `analysis` was measured on it.
 ///
 /// # Errors
-/// What pictures cannot be drawn from.
+/// If a picture cannot be drawn.
 pub fn report<T: NodeSurface>(
     landscape: &Landscape<'_, T>,
     raster: &HeightField,

@@ -1,16 +1,17 @@
 //! Optimal channel networks: drainage trees of least energy.
 //!
 //! # Model
-//! Energy E = Σ A^γ d over all nodes, A drainage area (in cells), d length of the way to the receiver (in cells), γ = 1/2. Landscapes at a
-//! steady state of stream power with m/n = 1 − γ are local minima of it.
+//! Energy E = Σ A^γ d over all nodes, A drainage area (in cells), d length of the way to the receiver (in cells), γ = 1/2.
+//! Landscapes at a steady state of stream power with m/n = 1 − γ are local minima of it.
 //!
 //! # Method
-//! A random node is given another of its neighbours to drain to, unless that would close a circle; only the parts of the old and the new way
-//! down that they do not share change their areas. The change stays if E falls, or with exp(−ΔE/T). T falls to 0 over the sweeps. Heights
-//! follow from S ∝ A^(γ − 1), from the outlets upwards.
+//! A random node gets another of its neighbours as receiver, unless that would close a circle. Areas change only along those
+//! parts of the old and the new path that the two do not share. The change is kept if E falls, or with probability exp(−ΔE/T). T
+//! falls to 0 over the sweeps. Heights follow from S ∝ A^(γ − 1), from the outlets upwards.
 //!
 //! # Sources
-//! Rodríguez-Iturbe, Rinaldo, Rigon, Bras, Marani & Ijjász-Vásquez (1992); Rinaldo, Rigon, Banavar, Maritan & Rodríguez-Iturbe (2014).
+//! Rodríguez-Iturbe, Rinaldo, Rigon, Bras, Marani & Ijjász-Vásquez (1992); Rinaldo, Rigon, Banavar, Maritan & Rodríguez-Iturbe
+//! (2014).
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
@@ -23,24 +24,24 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Rearranges where water goes until the network spends least energy, and gives the ground the heights that such rivers have. Elevation
-/// before only says where the search begins.
+/// Optimal channel network: rearranges drainage until its energy is least, and gives the ground the heights of such rivers. The
+/// elevation before only sets where the search begins.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct OptimalNetwork {
     /// Exponent of drainage area in the energy.
     #[schemars(extend("x-above" = 0.0, "x-max" = 1.0))]
     pub energy_exponent: f64,
-    /// Tries per node.
+    /// Number of trial changes for each node.
     #[schemars(extend("x-min" = 0, "x-max" = 10_000))]
     pub iterations: u64,
-    /// Temperature at the start, in mean energies of a node; 0 takes no step up.
+    /// Temperature at the start, in mean energies of a node. With 0 no change that raises the energy is accepted.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e6))]
     pub temperature: f64,
     /// Greatest height above the outlets.
     #[schemars(extend("x-above" = 0.0))]
     pub relief: Length,
-    /// Where water leaves, as in `stream_power`; as the landscape has it, if not given.
+    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are used.
     pub outlets: Option<Outlets>,
 }
 
@@ -211,7 +212,7 @@ impl Tree {
         self.length[node] = link.distance / unit;
     }
 
-    /// Tries so many changes per node, ever colder.
+    /// Tries this many changes for each node while the temperature falls.
     pub(super) fn search(&mut self, domain: &RasterDomain, iterations: u64, temperature: f64, seed: Seed) {
         let has_choice = |i: &usize| domain.status()[*i] == Status::Interior && domain.neighbours(*i).next().is_some();
         let inner: Vec<usize> = (0..self.area.len()).filter(has_choice).collect();

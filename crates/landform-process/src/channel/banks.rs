@@ -1,9 +1,9 @@
-//! What a river does beside its thread: it gnaws its banks, and stands as high over its bed.
+//! The banks of rivers: a river erodes them, and its water stands over them.
 //!
 //! # Model
-//! A node with flow f gives part of it to nodes uphill of it within R = R_max f^b, less with distance (f_a of Eq. 4.5). The part is such that a
-//! straight river adds f to its own line whatever the size of the cells. Nodes beside a river whose ground lies under the river's surface are
-//! under water.
+//! A node with flow f gives part of it to nodes uphill of it within R = R_max f^b, less with distance (f_a of Eq. 4.5). The part
+//! is chosen so that a straight river adds f to its own line for any size of cells. Nodes beside a river whose ground lies under
+//! the river's surface are under water.
 //!
 //! # Sources
 //! Pytel (2015), 4.3.1: R = f_c R_max there; with the exponent b of 0.4 to 0.5 widths grow as those of rivers do.
@@ -11,7 +11,7 @@
 use landform_core::grid::Grid;
 use landform_core::{math, parallel};
 
-/// Flow below this part of the whole has no banks, whatever its radius.
+/// Flow below this part of the whole has no banks, for any radius.
 const LEAST: f64 = 1e-4;
 /// Rows that are done together.
 const BAND: usize = 32;
@@ -19,7 +19,7 @@ const BAND: usize = 32;
 /// A node beside rivers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bank {
-    /// Flow that rivers nearby lend to it (f_a).
+    /// Flow that rivers nearby add to it (f_a).
     pub(super) lateral_flow: f64,
     /// Surface of the river that it is nearest to, in radii, m.
     pub(super) stage: f64,
@@ -50,7 +50,7 @@ impl River {
     }
 }
 
-/// Writes every node's bank. Nodes in `still` lend nothing: they lie under standing water.
+/// Writes every node's bank. Nodes in `still` add nothing: they lie under standing water.
 pub(super) fn banks(grid: &Grid, ground: &[f64], flow: &[f64], still: &[f64], river: &River, out: &mut Vec<Bank>) {
     let (shape, [dx, dy]) = (grid.shape, grid.spacing);
     let cell = dx.min(dy);
@@ -74,7 +74,7 @@ pub(super) fn banks(grid: &Grid, ground: &[f64], flow: &[f64], still: &[f64], ri
             let z = ground[node as usize];
             let (f, rows) = (flow[node as usize], rows_of(radius));
             let depth = river.depth(f);
-            // A line of such nodes lends a node on it the sum of (1 - d/R) dx/R over 2 R: f.
+            // A line of such nodes adds to a node on it the sum of (1 - d/R) dx/R over 2 R: f.
             let part = f * cell / radius;
             for row in at.row.saturating_sub(rows).max(first)..(at.row + rows + 1).min(last) {
                 let y = (row as f64 - at.row as f64) * dy;

@@ -30,11 +30,11 @@ struct Scratch {
     routed: Flow,
 }
 
-/// How much of the flow is that of the round; the rest is that of rounds before.
+/// Fraction of the flow that is of this round; the rest is of rounds before.
 const FRESH: f64 = 0.5;
 
 impl Water {
-    /// Water of so much depth, at rest.
+    /// Water of this depth, at rest.
     pub(super) fn new(params: &ChannelErosion, depth: Vec<f64>, spacing: [f64; 2]) -> Self {
         let pipes = Pipes::new(depth.len(), spacing, params.roughness.si());
         Self {
@@ -46,7 +46,7 @@ impl Water {
         }
     }
 
-    /// A round. `rate` is what comes to each node, m/s; `dt` the round's length, s.
+    /// A round. `rate` is the water that comes to each node, m/s; `dt` the round's length, s.
     pub(super) fn round(
         &mut self,
         params: &ChannelErosion,
@@ -69,7 +69,7 @@ impl Water {
         ledger
     }
 
-    /// The ways of the last round over the ground that it ran on; none for area maps.
+    /// The paths of the last round over the ground that its water ran on; none for area maps.
     pub(super) fn ways<'a>(
         &'a self,
         (domain, ground): (&'a RasterDomain, &'a [f64]),
@@ -110,7 +110,7 @@ impl Water {
         let status = domain.status();
         let sum = parallel::sum(rate.len(), |i| rate[i]);
         let wet = parallel::sum(rate.len(), |i| f64::from(u8::from(!ground[i].is_nan())));
-        // The storm brings as much in all as if it fell everywhere, wherever the rain falls.
+        // Wherever rain falls, the storm brings as much water in all as if it fell everywhere.
         let faster = params.storm.si() * wet / sum;
         let depth = parallel::map(rate.len(), |i| rate[i] * faster);
         let supply = Supply { depth: &depth, total: sum * faster, evaporation: params.evaporation.si(), sinks };

@@ -1,28 +1,31 @@
-//! Channels cut by water, with width, and lakes that break through.
+//! Channels that running water cuts, with their width, and lakes that break through.
 //!
 //! # Model
-//! Each round a year of rain runs down ([`crate::mechanism::water`]). What passes a node cuts it ([`wear`]); a river also gnaws what lies uphill beside
-//! it ([`mod@banks`]), so that large ones get wide and take in what runs near them. Hollows fill, spill, and are drained as their outlets are
-//! cut, with no rule of their own.
+//! In each round a year of rain runs off ([`crate::mechanism::water`]). The water that passes a node erodes it ([`wear`]). A
+//! river also erodes the ground uphill beside it ([`mod@banks`]), so that large rivers widen and capture streams near them.
+//! Depressions fill, spill, and drain as their outlets are cut; this needs no rule of its own.
 //!
 //! # Method
-//! Water, then wear, on the ground as the water found it; with a graded slope what is worn goes on with the water and settles ([`sediment`]). Rounds are not years of erosion: how much a round cuts is in the weights. Flow is
-//! that of the last rounds, each half as much as the next, so that threads which change places in a wide bed cut all of it.
+//! First water, then erosion, both on the ground at the start of the round. With a graded slope the water carries the sediment
+//! on, and it settles ([`sediment`]). Rounds are not years of erosion: the weights say how much a round erodes. Flow is a mean
+//! over the last rounds, in which each round counts half as much as the next, so that threads which shift in a wide bed erode all
+//! of it.
 //!
-//! **Cost** the water of a round on a million nodes takes some 0.07 s without lakes, and 0.3 s if a quarter of them is under lakes; wear is a
-//! fixed number of passes.
+//! **Cost** the water of a round on a million nodes takes some 0.07 s without lakes, and 0.3 s if a quarter of them is under
+//! lakes; wear is a fixed number of passes.
 //!
-//! Open borders are cut like any place, unless outlets are chosen, which are held: the ground beyond is taken to fall as steeply as the map
-//! does on the whole, down to its lowest elevation at the start.
+//! Open borders are eroded like any node: the ground beyond is taken to fall as steeply as the map does on the whole, down to its
+//! lowest elevation at the start. Outlets that are chosen are held.
 //!
 //! # Limits
 //! Water does not seep, and lakes do not freeze.
 //!
 //! # Sources
-//! Pytel (2015), 4.3; each part tells its own.
+//! Pytel (2015), 4.3; each module names its own.
 //!
 //! # Checked by
-//! `tests`: never up (without sediment, with smoothing in channels only), fans and filled hollows, lakes that break through, capture, width against flow, threads.
+//! `tests`: never up (without sediment, with smoothing in channels only), fans and filled depressions, lakes that break through,
+//! capture, width against flow, threads.
 
 mod banks;
 mod engine;
@@ -57,7 +60,7 @@ landform_core::stages! {
 
 /// Half-widths of the greatest river along the map's longer side.
 const RADII_ACROSS: f64 = 40.0;
-/// Standing water thinner than this is none, m: heights are not known as well.
+/// Standing water thinner than this does not count, m: heights are less exact than that.
 const FILM: f64 = 1e-6;
 
 /// Water between rounds, what feeds it, and scratch.
@@ -73,7 +76,7 @@ pub struct State {
     bottom: f64,
     /// Slope of the ground beyond the open border; none where base levels are held.
     beyond: Option<f64>,
-    /// What is carried; none if all that is cut leaves the map.
+    /// Sediment that is carried; none if all of it leaves the map.
     sediment: Option<Sediment>,
     #[serde(skip)]
     scratch: Scratch,
@@ -253,7 +256,7 @@ impl ChannelErosion {
         Ok(rate)
     }
 
-    /// Leaves depth and discharge of the water as fields.
+    /// Adds depth and discharge of the water as fields.
     fn leave_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) -> Result<()> {
         let State { water, rate, scratch, .. } = state;
         let z = terrain.elevation();

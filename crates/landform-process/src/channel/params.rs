@@ -1,4 +1,4 @@
-//! The words of channel erosion.
+//! Parameters of channel erosion.
 
 use landform_core::grid::Side;
 use landform_core::units::{Discharge, Length, Rate, RateDimension, Ratio, RatioDimension};
@@ -11,27 +11,27 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Transport {
-    /// To the lowest neighbour first, until it is level with the next: gathers water into channels.
+    /// To the lowest neighbour first, until it is level with the next: concentrates water in channels.
     #[default]
     Columns,
-    /// To all lower neighbours alike: spreads.
+    /// To all lower neighbours in equal shares: spreads water.
     Average,
-    /// To all lower neighbours, by how much lower they are.
+    /// To all lower neighbours, in proportion to how much lower they are.
     WeightedAverage,
-    /// Second by second, pushed by differences of level: a flood with momentum.
+    /// In time steps, driven by differences of level: a flood with momentum.
     Pipes,
-    /// No water: drainage area to the steepest neighbour, every hollow full.
+    /// No water: drainage area passes to the steepest neighbour, and every depression is full.
     AreaMap,
 }
 
-/// What smooths the ground.
+/// Where the ground is smoothed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Smoothing {
-    /// In channels only, with the flow: what lies beside them is held by plants.
+    /// In channels only, in proportion to the flow. Plants hold the ground beside them.
     #[default]
     Channels,
-    /// Everywhere alike.
+    /// Everywhere by the same amount.
     Everywhere,
 }
 
@@ -45,85 +45,86 @@ pub struct Spring {
     pub discharge: Discharge,
 }
 
-/// Water that comes in over a side.
+/// A river that enters over a side.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Inflow {
-    /// The side; it must be closed, or the water leaves again where it entered: it enters one node inside.
+    /// The side. The water enters one node inside. The side must be closed, or the water leaves again where it entered.
     pub side: Side,
     /// Discharge, spread evenly along the side.
     pub discharge: Discharge,
 }
 
-/// Water runs down, gathers in channels and cuts them, the wider the more it is; lakes fill, spill and are drained as their outlets are cut.
-/// Leaves the water on the ground. Runs without a clock, one round a year of rain.
+/// Channel erosion by running water: rivers cut channels and widen with their discharge; lakes fill, spill and drain as their
+/// outlets are cut. Water stays on the ground as a field. Runs without a clock; one round is a year of rain.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ChannelErosion {
-    /// How water finds its way: "columns", "average", "weighted_average", "pipes", or "area_map" (no water, hollows full).
+    /// How water is routed: "columns", "average", "weighted_average", "pipes", or "area_map" (no water, depressions full).
     pub transport: Transport,
     /// Rain that runs off; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Varying<RateDimension>,
     /// Springs, each { at = ["1 km", "2 km"], discharge = "2 m3/s" }.
     pub springs: Vec<Spring>,
-    /// Rivers that come in over sides, each { side = "north", discharge = "5 m3/s" }.
+    /// Rivers that enter over sides, each { side = "north", discharge = "5 m3/s" }.
     pub inflow: Vec<Inflow>,
-    /// What evaporates from standing water.
+    /// Evaporation from standing water.
     #[schemars(extend("x-min" = 0.0))]
     pub evaporation: Rate,
-    /// Places that swallow all water, where a map is at least one half.
+    /// Sinkholes, where a map is at least one half: they take all water that reaches them.
     pub swallow: Option<Varying<RatioDimension>>,
-    /// Where water leaves, as in `stream_power`; as the landscape has it, if not given.
+    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are used.
     pub outlets: Option<Outlets>,
-    /// Rounds of water and erosion.
+    /// Number of rounds of water and erosion.
     #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
     pub iterations: u64,
-    /// Weight w_a of the flow nearby in what cuts: rivers gnaw their banks and get wide.
+    /// Weight w_a of the flow nearby in erosion. It makes rivers erode their banks and widen.
     #[schemars(extend("x-min" = 0.0))]
     pub avalanche_weight: f64,
-    /// Weight w_c of the flow at a place in what cuts.
+    /// Weight w_c of the flow at a node in erosion.
     #[schemars(extend("x-min" = 0.0))]
     pub flow_weight: f64,
-    /// Exponent m of the flow: below 1 small channels cut more.
+    /// Exponent m of the flow. Below 1 small channels cut more.
     #[schemars(extend("x-above" = 0.0, "x-max" = 3.0))]
     pub flow_exponent: f64,
     /// Weight of smoothing.
     #[schemars(extend("x-min" = 0.0))]
     pub diffusion_weight: f64,
-    /// Weight w_d of cutting in proportion to slope.
+    /// Weight w_d of the erosion in proportion to slope.
     #[schemars(extend("x-min" = 0.0))]
     pub advection_weight: f64,
-    /// Weight w_0 of cutting whatever the slope.
+    /// Weight w_0 of the erosion that does not depend on slope.
     #[schemars(extend("x-min" = 0.0))]
     pub base_weight: f64,
     /// Weight of a uniform uplift.
     #[schemars(extend("x-min" = 0.0))]
     pub uplift_weight: f64,
-    /// What smooths: "channels" (with the flow, Eq. 4.4), or "everywhere" (Eq. 4.6).
+    /// Where the ground is smoothed: "channels" (with the flow, Eq. 4.4), or "everywhere" (Eq. 4.6).
     pub smoothing: Smoothing,
-    /// How easily the ground gives way, a factor; may vary in space.
+    /// Factor on how easily the ground erodes; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub softness: Varying<RatioDimension>,
-    /// Half the width of a river with all the water of the map; a 40th of the longer side if not given.
+    /// Half the width of a river with all the water of the map. If not given, it is a 40th of the longer side.
     #[schemars(extend("x-min" = 0.0))]
     pub channel_radius: Option<Length>,
-    /// Power of the flow with which width grows; the seed has 1, rivers 0.4 to 0.5.
+    /// Power of the flow with which width grows. The thesis has 1, rivers have 0.4 to 0.5.
     #[schemars(extend("x-above" = 0.0, "x-max" = 2.0))]
     pub width_exponent: f64,
-    /// Depth of a river with all the water of the map; with the root of the flow. The deeper, the more a river of columns spreads over its
-    /// bed.
+    /// Depth of a river with all the water of the map. Depth grows with the square root of the flow. With "columns" a deeper
+    /// river spreads more over its bed.
     #[schemars(extend("x-above" = 0.0))]
     pub river_depth: Length,
-    /// Slope at which rivers carry on all that the land above them sheds. Where they fall less steeply they lay it down as fans, deltas and
-    /// floodplains. If not given, all that is cut leaves the map. What full lakes hold back at the end is in no field.
+    /// Slope at which rivers carry all the sediment that the land above them sheds. Where rivers are less steep they deposit it
+    /// as fans, deltas and floodplains. If not given, all sediment leaves the map. No field holds the sediment that full lakes
+    /// keep at the end.
     #[schemars(extend("x-above" = 0.0, "x-max" = 10.0))]
     pub graded_slope: Option<Ratio>,
-    /// Distance over which sediment that is too much settles; a 50th of the longer side if not given.
+    /// Distance over which excess sediment settles. If not given, it is a 50th of the longer side.
     #[schemars(extend("x-above" = 0.0))]
     pub settling_length: Option<Length>,
-    /// Pipes only: rain of the flood that cuts, if its water fell everywhere; `rainfall`, springs and inflow then only say in what shares
-    /// it comes where.
+    /// Pipes only: rain of the flood that erodes, as if it fell everywhere. `rainfall`, springs and inflow then give only the
+    /// share of each place.
     #[schemars(extend("x-above" = 0.0))]
     pub storm: Rate,
     /// Pipes only: steps of water between rounds of erosion.

@@ -1,24 +1,26 @@
-//! What rivers carry and lay down: fans, deltas, floodplains.
+//! Sediment that rivers carry and deposit: fans, deltas, floodplains.
 //!
 //! # Model
-//! All that a round would wear away if it could be carried (E, a volume) is what rivers are made for. A river with the part f of the map's water can carry
+//! Let E be the volume that a round would erode if all of it could be carried. A river with the part f of the map's water can
+//! carry
 //!
 //! C = E f S / S_g
 //!
-//! at the slope S: at the graded slope S_g a river carries what the land above it sheds, however hard rounds cut. Where less comes, it cuts
-//! what it may; where more comes, what is too much settles over the length ℓ: 1 − exp(−dx/ℓ) of it at every node, never so much that the
-//! way uphill is blocked. Standing water carries nothing: coarse sediment settles at the mouth, up to the surface; what reaches the deepest place is
-//! spread over the lake by its depth. A lake that is full keeps the rest, and lets it go with the next round's water.
+//! at the slope S: at the graded slope S_g a river carries what the land above it sheds, for any rate of erosion. Where less
+//! sediment arrives, the river erodes; where more arrives, the excess settles over the length ℓ: 1 − exp(−dx/ℓ) of it at every
+//! node, never so much that the path uphill is blocked. Standing water carries nothing: coarse sediment settles at the mouth, up
+//! to the surface; sediment that reaches the deepest node is spread over the lake by its depth. A full lake keeps the rest and
+//! releases it with the next round's water.
 //!
-//! Water in pipes spends the round on its way; sediment goes where most of it went, and every hollow counts as full.
+//! Water in pipes is under way during the whole round; sediment goes where most of it went, and every depression counts as full.
 //!
 //! # Limits
-//! One size of grain. What is fine does not leave lakes over their outlets.
+//! One grain size. Fine sediment does not leave lakes over their outlets.
 //!
 //! # Sources
-//! Mei, Decaudin & Hu (2007), Eqs. 9 to 12: capacity in proportion to slope and flow, pick-up and settling. That a graded river has just the
-//! slope that its load needs: Mackin (1948), Bull. Geol. Soc. America 59. Here that slope is the parameter, so that a weight of erosion
-//! changes how fast, not what, forms.
+//! Mei, Decaudin & Hu (2007), Eqs. 9 to 12: capacity in proportion to slope and flow, pick-up and settling. That a graded river
+//! has just the slope that its load needs: Mackin (1948), Bull. Geol. Soc. America 59. Here that slope is the parameter, so that
+//! a weight of erosion changes how fast, not what, forms.
 
 use landform_core::grid::{Domain, Grid, Status};
 use landform_core::units::Length;
@@ -35,15 +37,16 @@ const LENGTHS_ACROSS: f64 = 50.0;
 
 /// Rivers steeper than this raise their beds by no more in a round.
 const STEEP: f64 = 0.1;
-/// How far a river may raise its bed over the ground uphill of it in a round, at the graded slope, in cells; then it leaves it.
+/// Height, as cells at the graded slope, by which a river may raise its bed over the ground uphill of it in a round; then it
+/// leaves the bed.
 const RISE: f64 = 0.5;
 
-/// How rivers carry, and what is under way: in lakes that are full.
+/// Capacity of rivers, and the sediment under way in full lakes.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Sediment {
     /// Slope at which a river carries all that the land sheds.
     graded: f64,
-    /// Part of what is too much that settles across a cell.
+    /// Fraction of the excess that settles across a cell.
     settling: f64,
     /// As a depth over each node, m.
     under_way: Vec<f64>,
@@ -66,12 +69,12 @@ impl Sediment {
         parallel::sum(self.under_way.len(), |i| self.under_way[i])
     }
 
-    /// Carries what a round of wear sets loose and settles it: `new` becomes the ground after the round.
-    /// Returns what leaves the map, as depths summed over nodes, m.
+    /// Carries and deposits the sediment that a round erodes: `new` becomes the ground after the round. Returns the sediment that
+    /// leaves the map, as depths summed over nodes, m.
     pub(super) fn carry(&mut self, g: &Ground, ways: &dyn SedimentRouting, sinks: &[bool], new: &mut [f64]) -> f64 {
         let whole = shed(g, new);
         let (status, cell) = (g.domain.status(), g.grid.spacing[0].min(g.grid.spacing[1]));
-        // Surface of the lowest ground that sends anything here: what settles stays below it.
+        // Surface of the lowest ground that sends anything here: deposits stay below it.
         let mut max_bed = vec![f64::INFINITY; new.len()];
         let mut left = 0.0;
         let mut in_lakes: Vec<(usize, usize, f64)> = Vec::new();
@@ -97,7 +100,7 @@ impl Sediment {
             let wanted = g.z[i] - new[i];
             let too_much = came - capacity;
             let change = if lake.is_none() && too_much < 0.0 {
-                // What it cuts, as far as it can carry that; what it would fill, as far as anything came.
+                // Erosion is limited by capacity, and deposition by the sediment that arrived.
                 -wanted.min(-too_much).max(-came)
             } else {
                 (self.settling * too_much.max(0.0)).min(room).max(0.0)
@@ -125,12 +128,12 @@ impl Sediment {
     }
 }
 
-/// All that a round would wear away, as depths summed over nodes, m.
+/// All that a round would erode, as depths summed over nodes, m.
 fn shed(g: &Ground, new: &[f64]) -> f64 {
     parallel::sum(new.len(), |i| if g.domain.status()[i] == Status::Masked { 0.0 } else { (g.z[i] - new[i]).max(0.0) })
 }
 
-/// Slope along the ways on.
+/// Slope along the paths downstream.
 fn slope_downstream(g: &Ground, ways: &dyn SedimentRouting, downstream: &FlowPartition, i: usize) -> f64 {
     let [dx, dy] = g.grid.spacing;
     let cols = g.grid.shape.cols;
@@ -142,7 +145,7 @@ fn slope_downstream(g: &Ground, ways: &dyn SedimentRouting, downstream: &FlowPar
     downstream.weights().map(fall).sum()
 }
 
-/// Spreads what has reached the deepest places of lakes, by the depth that is left; what does not fit stays there.
+/// Spreads the sediment that has reached the deepest nodes of lakes, by the depth that is left; the rest stays there.
 fn spread_in_lakes(ways: &dyn SedimentRouting, rests: Vec<(usize, usize, f64)>, new: &mut [f64], load: &mut [f64]) {
     let Some(last) = rests.iter().map(|r| r.0).max() else { return };
     let mut amount = vec![0.0; last + 1];

@@ -159,7 +159,8 @@ fn a_fan_falls_gently_away_from_its_mouth() {
         ChannelErosion { graded_slope: Some(landform_core::units::Ratio::of(0.08)), ..ChannelErosion::default() };
     let after = run(front(96), params, 80);
     let row = |r: usize| after.elevation()[r * 48..(r + 1) * 48].iter().sum::<f64>() / 48.0;
-    // Slopes of the plain between the foot and the hollow's end: steep under the mountains, less with distance, near the graded slope.
+    // Slopes of the plain between the foot and the hollow's end: steep under the mountains, less with distance, near the graded
+    // slope.
     let slope = |a: usize, b: usize| (row(a) - row(b)) / ((b - a) as f64 * 10.0);
     let (near, far) = (slope(42, 52), slope(70, 90));
     assert!(near > 1.5 * far && (0.02..0.3).contains(&near), "{near} {far}");

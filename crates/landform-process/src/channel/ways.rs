@@ -1,4 +1,4 @@
-//! The ways that sediment takes in a round: those of its water.
+//! The paths of sediment in a round, which are those of its water.
 
 use std::collections::BTreeSet;
 
@@ -13,9 +13,10 @@ use crate::mechanism::water::{FlowPartition, Pipes, Rule, Sweep, highest_first};
 pub(super) trait SedimentRouting {
     /// Nodes, higher ones before their lower neighbours.
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_>;
-    /// Where what passes a node goes on to, with shares; always to lower ground. `part` is the flow as a part of all water.
+    /// The nodes to which a node passes water and sediment on, with shares; always lower ground. `part` is the flow as a part of
+    /// all water.
     fn downstream(&self, node: usize, part: f64) -> FlowPartition;
-    /// Height of a node's ground as its ways see it.
+    /// Elevation of a node's ground by which its paths are routed.
     fn height(&self, node: usize) -> f64;
     /// The lake over a node.
     fn lake(&self, node: usize) -> Option<usize>;
@@ -23,7 +24,7 @@ pub(super) trait SedimentRouting {
     fn surface(&self, node: usize) -> f64;
 }
 
-/// The ways of a sweep over its ground.
+/// The paths of a sweep over its ground.
 pub(super) struct Swept<'a> {
     pub(super) sweep: &'a Sweep,
     pub(super) domain: &'a RasterDomain,
@@ -51,7 +52,8 @@ impl SedimentRouting for Swept<'_> {
     }
 }
 
-/// The ways of water in pipes: with what crossed in the round. Every hollow is a lake, full: many floods would have filled it.
+/// The paths of water in pipes, with the volumes that crossed in the round. Every depression is a full lake: many floods would
+/// have filled it.
 pub(super) struct Piped<'a> {
     pipes: &'a Pipes,
     domain: &'a RasterDomain,
@@ -66,7 +68,7 @@ impl<'a> Piped<'a> {
         flow.route(domain, ground, &mut vec![0.0; ground.len()]);
         let level = flow.water_level(ground);
         let mut lake = label_regions(domain.shape(), |i| level[i] > ground[i], |a, b| level[a] == level[b]);
-        // A hollow with a hole in its floor holds nothing.
+        // A depression with a sinkhole in its floor holds no water.
         let open: BTreeSet<u32> = (0..sinks.len()).filter(|&i| sinks[i]).map(|i| lake[i]).collect();
         if !open.is_empty() {
             parallel::update(&mut lake, |_, l| *l = if open.contains(l) { 0 } else { *l });

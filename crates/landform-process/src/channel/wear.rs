@@ -1,21 +1,23 @@
-//! How channels wear the ground in a round (Eqs. 4.4 and 4.6 of Pytel 2015).
+//! Erosion by channels in a round (Eqs. 4.4 and 4.6 of Pytel 2015).
 //!
 //! # Model
-//! In units of length u = extent / 256 (the seed's grids have about as many cells), with f = (w_a f_a + w_c f_c)^m:
+//! In units of length u = extent / 256 (the thesis' grids have about as many cells), with f = (w_a f_a + w_c f_c)^m:
 //!
-//! ∂z/∂t = f w_Δ Δz − f (w_d |∇h| + w_0), never lower than the lowest neighbour; hollows have only f w_Δ Δz − f w_0, down
-//! to the lowest ground that there was at the start.
+//! ∂z/∂t = f w_Δ Δz − f (w_d |∇h| + w_0), never lower than the lowest neighbour; pits have only f w_Δ Δz − f w_0, down to the
+//! lowest elevation at the start.
 //!
 //! # Method
-//! The cutting part is explicit and limited by the lowest neighbour as it was; smoothing is implicit, by a few sweeps of Jacobi from it, so
-//! that no weight makes it unstable. No node reads what another has written: the same bits on any number of threads. Without `everywhere`
-//! smoothing only lowers: what would fill a channel's bed is washed away.
+//! The cutting part is explicit and limited by the lowest neighbour at the start of the round. Smoothing is implicit, by a few
+//! Jacobi sweeps from there, so that no weight makes it unstable. No node reads what another has written: the result has the same
+//! bits on any number of threads. Without `everywhere` smoothing only lowers: ground that would fill a channel's bed is washed
+//! away.
 //!
 //! # Sources
-//! Pytel (2015), Eqs. 4.4 to 4.6. His time step is in the weights and his f has no stated scale; here f_c is the part of the map's water,
-//! and a round is [`STEP`] of a step of his equation, found by looking. We take the slope of the water's surface, so that rivers stop cutting where they run into
-//! lakes. Slopes are those of the fitted quadratic, as his; the Laplacian is not: that of a quadratic fitted to nine nodes is positive for
-//! the checkerboard (8/3 for one of height 1), so explicit or not it would grow.
+//! Pytel (2015), Eqs. 4.4 to 4.6. His time step is in the weights and his f has no stated scale; here f_c is the part of the
+//! map's water, and a round is [`STEP`] of a step of his equation, found by looking. We take the slope of the water's surface, so
+//! that rivers stop cutting where they run into lakes. Slopes are those of the fitted quadratic, as his; the Laplacian is not:
+//! that of a quadratic fitted to nine nodes is positive for the checkerboard (8/3 for one of height 1), so explicit or not it
+//! would grow.
 
 use landform_core::algo::derivative::quadratic;
 use landform_core::grid::{Domain, RasterDomain, Status};
@@ -25,13 +27,13 @@ use landform_core::{math, parallel};
 
 use super::banks::{Bank, River};
 
-/// Part of the seed's equation that a round stands for.
+/// Fraction of a step of the thesis' equation that a round is.
 const STEP: f64 = 0.5;
-/// Cells of the seed's grids.
+/// Cells along a side of the thesis' grids.
 const SEED_CELLS: f64 = 256.0;
 /// Sweeps of smoothing.
 const SWEEPS: usize = 6;
-/// Smoothing weaker than this does nothing that one could see.
+/// Smoothing weaker than this has no visible effect.
 const FAINT: f64 = 1e-4;
 
 /// Weights of the terms.
@@ -47,7 +49,7 @@ pub(super) struct Weights {
     pub(super) everywhere: bool,
 }
 
-/// What a round of wear looks at.
+/// Input of a round of erosion.
 pub(super) struct Ground<'a> {
     pub(super) grid: &'a Grid,
     pub(super) domain: &'a RasterDomain,
@@ -59,14 +61,14 @@ pub(super) struct Ground<'a> {
     pub(super) banks: &'a [Bank],
     pub(super) river: River,
     pub(super) softness: &'a Resolved,
-    /// The lowest that hollows are cut to, m.
+    /// Lowest elevation that pits are cut to, m.
     pub(super) bottom: f64,
     /// Slope with which the ground beyond the open border falls to the bottom; none where base levels are held.
     pub(super) beyond: Option<f64>,
 }
 
 impl Ground<'_> {
-    /// Whether a node is worn.
+    /// Whether a node is eroded.
     fn gives_way(&self, i: usize) -> bool {
         let status = self.domain.status()[i];
         status == Status::Interior || status == Status::BaseLevel && self.beyond.is_some()
@@ -80,7 +82,7 @@ impl Ground<'_> {
         }
     }
 
-    /// The lowest ground beside a node.
+    /// The lowest elevation beside a node.
     fn lowest(&self, i: usize) -> f64 {
         let beside = self.domain.neighbours(i).map(|l| self.z[l.to]).fold(f64::INFINITY, f64::min);
         match self.beyond {
@@ -129,7 +131,7 @@ pub(super) fn eroded_bed(g: &Ground, weights: &Weights) -> Vec<f64> {
         }
         let f = f * STEP * g.softness.at(i);
         let floor = g.lowest(i);
-        // Standing water slows the flow as it deepens it; its pull on the ground goes with the square of its speed.
+        // Standing water deepens the flow and so slows it; its shear stress on the ground grows with the square of its speed.
         let still = g.standing[i];
         let flow_damping = if still > 0.0 {
             let d = g.river.depth(g.flow[i]);
@@ -160,7 +162,7 @@ pub(super) fn eroded_bed(g: &Ground, weights: &Weights) -> Vec<f64> {
             *new = g.z[i];
             return;
         }
-        // Nothing comes in over a border that is cut.
+        // Nothing enters over a border that is cut.
         if !weights.everywhere || g.domain.status()[i] == Status::BaseLevel {
             *new = new.min(g.z[i]);
         }

@@ -1,4 +1,4 @@
-//! The front between land and sea, whatever drives it.
+//! The front between land and sea, for any force that drives it.
 
 use landform_core::agents::{Connectivity, Falloff, Group, RasterSites, Stencil};
 use landform_core::grid::{Edge, Edges, Grid, Neighbours, Shape};
@@ -7,7 +7,7 @@ use landform_core::{Result, parallel};
 use super::params::{Exposure, Perimeter};
 use super::perimeter::{self, Coast};
 
-/// What a round did.
+/// Result of a round.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Round {
     /// Sites that fell, by index.
@@ -16,8 +16,9 @@ pub(super) struct Round {
     pub(super) needed: f64,
 }
 
-/// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells weaken by their part of it, so that
-/// the weakening by an area that falls does not depend on them. The seed's sites of 15 m and radius of 25 m are of this size.
+/// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells weaken by their part of it,
+/// so that the weakening by an area that falls does not depend on them. The thesis' sites of 15 m and radius of 25 m are of this
+/// size.
 const WHOLE_EVENT: f64 = 0.6;
 
 /// What drives the sea at each site.
@@ -123,13 +124,13 @@ impl Front {
         }
     }
 
-    /// One round: every site of the coast feels the sea as it is now, and all that give way fall at once.
+    /// One round: the force of the sea is that at the start of the round, and all sites that it exceeds fall at once.
     pub(super) fn round(&mut self, drive: &Drive) -> Round {
         let sites = self.coast.sites();
         let sides: Vec<u8> = sites.iter().map(|&s| self.coast.at(s).copied().unwrap_or(0)).collect();
         let coast = Coast { sites: &sites, sides: &sides, shape: self.shape, land: &self.land, wraps: self.wraps() };
         let resistance = parallel::map(sites.len(), |k| self.resistance(sites[k], sides[k]));
-        // Nobody needs the damping of a site that the undamped sea would not bring down, unless it wears or the round may stall.
+        // The damping is not needed at a site that the undamped sea would not bring down, unless it wears or the round may stall.
         let force = |k: usize| (drive.force)(sites[k]);
         let wanted: Vec<bool> =
             (0..sites.len()).map(|k| resistance[k] < force(k) || (drive.wear)(sites[k]) > 0.0).collect();
@@ -156,7 +157,7 @@ impl Front {
         Round { fallen, needed }
     }
 
-    /// Lets sites fall, whatever holds them.
+    /// Makes sites fall, whatever their resistance.
     pub(super) fn fall(&mut self, sites: &[usize], drive: &Drive) {
         for &site in sites {
             self.land[site] = false;

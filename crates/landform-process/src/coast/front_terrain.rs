@@ -1,12 +1,12 @@
 //! Ground grown from a mask by fronts of erosion: the first stage of two-stage terrain (Pytel 2015, 4.3.4).
 //!
 //! # Model
-//! What the mask chooses is the lowest ground: rivers, seas. From there fronts gnaw into the rest as the sea gnaws a coast, and where they
-//! have come so far they leave level sets; heights rise from set to set, to the greatest where the fronts met last. Any level that the ground
-//! is flooded to has the coast that fronts leave.
+//! The mask chooses the lowest ground: rivers, seas. From there fronts erode the rest as the sea erodes a coast. At equal
+//! distances they leave level sets. Heights rise from set to set and are greatest where the fronts met last. If the ground is
+//! flooded to any level, its shore has the shape that fronts leave.
 //!
 //! # Limits
-//! Sides of the map are no fronts: hills run out of it.
+//! No front starts at the sides of the map: hills continue beyond them.
 //!
 //! # Sources
 //! Pytel (2015), listing 4.1 and figures 4.16, 4.17.
@@ -21,18 +21,20 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::heights::{LevelInterpolation, heights};
-use super::levels::Gnawing;
+use super::levels::FrontErosion;
 use super::params::{CoastErosion, Exposure, Perimeter, Weakening, Whole};
 use crate::mechanism::{GridParams, within_map};
 
 /// Level sets along the longer side, if their spacing is not given.
 const SETS_ACROSS: f64 = 24.0;
 
-/// Hills that grow from a mask: where it is at least one half lies the lowest ground, and level sets shaped like coasts rise from there.
+/// Hills from a mask: the lowest ground lies where the mask is at least one half, and level sets shaped like coasts rise from
+/// there.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct FrontTerrain {
-    /// The lowest ground, where at least one half: a picture such as { image = "strokes.png", black = 0.0, white = 1.0 }, or a formula.
+    /// Mask of the lowest ground, where it is at least one half: a picture such as { image = "strokes.png", black = 0.0, white =
+    /// 1.0 }, or a formula.
     pub mask: Varying<RatioDimension>,
     /// Extent and distance between nodes.
     pub grid: GridParams,
@@ -43,7 +45,7 @@ pub struct FrontTerrain {
     pub relief: Length,
     /// How heights between level sets are found.
     pub interpolation: LevelInterpolation,
-    /// Farthest that a level set lies from the one before; a 24th of the longer side if not given.
+    /// Greatest distance of a level set from the one before. If not given, it is a 24th of the longer side.
     #[schemars(extend("x-above" = 0.0))]
     pub spacing: Option<Length>,
     /// Force of the fronts at the start, as in `coast_erosion`.
@@ -52,11 +54,11 @@ pub struct FrontTerrain {
     /// Damping by the length of the fronts.
     #[schemars(extend("x-min" = 0.0))]
     pub damping: Ratio,
-    /// Whose length damps, as in `coast_erosion`.
+    /// Fronts whose length damps, as the coast in `coast_erosion`.
     pub perimeter: Perimeter,
-    /// How places grow weaker with the sides that the fronts reach.
+    /// How the resistance of sites falls with the number of their sides that the fronts reach.
     pub exposure: Exposure,
-    /// Weakening of what lies near a place that falls, for smoother level sets.
+    /// Weakening of sites near one that falls, for smoother level sets.
     pub weakening: Option<Weakening>,
 }
 
@@ -104,7 +106,7 @@ impl Generator<HeightField> for FrontTerrain {
         let spacing = self.spacing.map_or(longer / SETS_ACROSS, Length::si);
         // The map's sides are no sea.
         let closed = Grid { edges: Edges::all(Edge::Closed), ..terrain.grid().clone() };
-        let gnawing = Gnawing {
+        let erosion = FrontErosion {
             force: self.force,
             damping: self.damping,
             perimeter: self.perimeter,
@@ -112,7 +114,7 @@ impl Generator<HeightField> for FrontTerrain {
             weakening: self.weakening,
             spacing,
         };
-        let levels = gnawing.levels(&closed, &land, context.seed)?;
+        let levels = erosion.levels(&closed, &land, context.seed)?;
         let count = levels.iter().copied().max().unwrap_or(0).max(1);
         let interval = self.relief.si() / f64::from(count);
         let lattice = Lattice::of(&closed);

@@ -1,13 +1,14 @@
 //! Heights between level sets.
 //!
 //! # Method
-//! From the distances to the lower and the upper level set, measured within the band between them by fast marching: linearly, or by Hermite's
-//! polynomials with limited slopes at the level sets, so that the ground has no creases there. On summits, within the last level set, the
-//! slope at it goes on, up to one interval. Least bending starts from Hermite's surface and is held to it along the level sets.
+//! From the distances to the lower and the upper level set, measured within the band between them by fast marching: linearly, or
+//! by Hermite's polynomials with limited slopes at the level sets, so that the ground has no creases there. On summits, within
+//! the last level set, its slope continues, up to one interval. Least bending starts from Hermite's surface and is held to it
+//! along the level sets.
 //!
 //! # Sources
-//! Hormann, Spinello & Schroeder (2003) for slopes across level sets; Fritsch & Carlson (1980) for their limit; Szeliski & Terzopoulos (1989)
-//! for least bending.
+//! Hormann, Spinello & Schroeder (2003) for slopes across level sets; Fritsch & Carlson (1980) for their limit; Szeliski &
+//! Terzopoulos (1989) for least bending.
 
 use landform_core::algo::fast_marching::{Order, march};
 use landform_core::algo::thin_plate::Plate;
@@ -25,7 +26,7 @@ const HOLD: f64 = 0.5;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LevelInterpolation {
-    /// Those of the lower level set: terraces.
+    /// The height of the lower level set: terraces.
     Nearest,
     /// In proportion to the distances.
     Linear,
@@ -36,7 +37,8 @@ pub enum LevelInterpolation {
     Variational,
 }
 
-/// Heights above the sea of land in numbered bands, m; 0 at sea. `typical_slope` is that of islets within which no level set lies.
+/// Heights above the sea of land in numbered bands, m; 0 at sea. `typical_slope` is that of islets within which no level set
+/// lies.
 pub(super) fn heights(
     lattice: &Lattice,
     levels: &[u32],

@@ -1,4 +1,4 @@
-//! The inside of islands, from coasts that the sea would come to (Pytel 2015, 4.2.4).
+//! The interior of islands, from the coasts that a stronger sea would leave (Pytel 2015, 4.2.4).
 //!
 //! # Sources
 //! Pytel (2015), listing 4.1.
@@ -14,11 +14,11 @@ use serde::{Deserialize, Serialize};
 
 use super::front::flood;
 use super::heights::{LevelInterpolation, heights};
-use super::levels::Gnawing;
+use super::levels::FrontErosion;
 use super::params::{CoastErosion, Exposure, Perimeter, Weakening, Whole};
 
-/// Gives islands an inside: coasts that a sea with more and more force would gnaw become level sets of hills. Land keeps its outline; what
-/// height it had is lost.
+/// Gives islands an interior: the coasts that a sea of growing force would leave become level sets of hills. Land keeps its
+/// outline and loses the heights that it had.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct IslandInterior {
@@ -28,13 +28,13 @@ pub struct IslandInterior {
     /// Damping of the sea by the length of the coast.
     #[schemars(extend("x-min" = 0.0))]
     pub damping: Ratio,
-    /// Whose length damps, as in `coast_erosion`.
+    /// Coast whose length damps the sea, as in `coast_erosion`.
     pub perimeter: Perimeter,
-    /// How places grow weaker with the sides that the sea reaches.
+    /// How the resistance of sites falls with the number of their sides that the sea reaches.
     pub exposure: Exposure,
-    /// Weakening of what lies near a place that falls, for smoother level sets.
+    /// Weakening of sites near one that falls, for smoother level sets.
     pub weakening: Option<Weakening>,
-    /// Farthest that a level set lies from the one before.
+    /// Greatest distance of a level set from the one before.
     #[schemars(extend("x-above" = 0.0))]
     pub spacing: Length,
     /// Height from one level set to the next.
@@ -42,7 +42,7 @@ pub struct IslandInterior {
     pub interval: Length,
     /// How heights between level sets are found.
     pub interpolation: LevelInterpolation,
-    /// Sea level. As the environment has it, if not given; else 0 m.
+    /// Sea level. If not given, it is the environment's, or else 0 m.
     pub sea_level: Option<Length>,
 }
 
@@ -80,7 +80,7 @@ impl Edit<HeightField> for IslandInterior {
         let level = context.environment.level_or(self.sea_level, context.time);
         let sea = flood(terrain.grid(), z, level)?;
         let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();
-        let gnawing = Gnawing {
+        let erosion = FrontErosion {
             force: self.force,
             damping: self.damping,
             perimeter: self.perimeter,
@@ -88,7 +88,7 @@ impl Edit<HeightField> for IslandInterior {
             weakening: self.weakening,
             spacing: self.spacing.si(),
         };
-        let levels = gnawing.levels(terrain.grid(), &land, context.seed)?;
+        let levels = erosion.levels(terrain.grid(), &land, context.seed)?;
         let slope = self.interval.si() / self.spacing.si();
         // The sea beyond the map's open sides.
         let (shape, edges) = (terrain.grid().shape, terrain.grid().edges);

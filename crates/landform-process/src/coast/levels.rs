@@ -1,13 +1,13 @@
-//! Level sets of land that a sea with more and more force would leave (Pytel 2015, listing 4.1).
+//! Level sets of land: the coasts that a sea of growing force would leave (Pytel 2015, listing 4.1).
 //!
 //! # Method
-//! The sea goes on gnawing. Where it stands still, its force is raised by just as much as brings down the weakest site. When the front
-//! has come farther than `spacing` from the last level set anywhere, what has not moved since then is forced, and the front is the next
-//! level set.
+//! The sea goes on eroding. Where it stops, its force is raised just enough to bring down the weakest site. When the front is
+//! farther than `spacing` from the last level set anywhere, sites that have not moved since then are made to fall, and the front
+//! is the next level set.
 //!
 //! # Limits
-//! A level set closes when any one finger of the front has come too far, so sets lie closer than `spacing`, the closer the finer the cells
-//! and the less weakening there is.
+//! A level set closes when any one finger of the front has come too far, so sets lie closer than `spacing`. They are the closer,
+//! the finer the cells and the weaker the weakening.
 
 use landform_core::Result;
 use landform_core::agents::{Connectivity, RasterSites};
@@ -19,8 +19,8 @@ use landform_core::units::Ratio;
 use super::front::{Drive, Front};
 use super::params::{Exposure, Perimeter, Weakening};
 
-/// What gnaws.
-pub(super) struct Gnawing {
+/// The erosion that makes level sets.
+pub(super) struct FrontErosion {
     pub(super) force: Ratio,
     pub(super) damping: Ratio,
     pub(super) perimeter: Perimeter,
@@ -30,7 +30,7 @@ pub(super) struct Gnawing {
     pub(super) spacing: f64,
 }
 
-impl Gnawing {
+impl FrontErosion {
     /// Number of the level set that each site of the land lies within, from 1; 0 at sea.
     pub(super) fn levels(&self, grid: &Grid, land: &[bool], seed: Seed) -> Result<Vec<u32>> {
         let material = (0..land.len()).map(|i| seed.uniform(i as u64)).collect();

@@ -1,27 +1,29 @@
 //! Coasts.
 //!
 //! # Model
-//! Land on a raster, the sea around it. Every site has a resistance R, random from 0 to 1. A site of the coast gives way where the force
-//! of the sea F = f / (1 + g L / L0) is above R, less what exposed sides take from it (Eq. 2.8; locally Eq. 4.2). What falls may weaken
-//! what is near (4.2.3). All sites that give way in a round fall at once; the land behind them is coast from the next round on.
+//! Land on a raster has the sea around it. Every site has a resistance R, random from 0 to 1, which exposed sides lower. A site
+//! of the coast falls where the force of the sea F = f / (1 + g L / L0) exceeds it (Eq. 2.8; locally Eq. 4.2). A site that falls
+//! may weaken sites nearby (4.2.3). All sites that fall in a round do so at once; the land behind them is coast from the next
+//! round on.
 //!
 //! # Method
-//! The coast is a group of agents; a round costs as much as the coast is long, and with a local perimeter its length times the radius.
+//! The coast is a group of agents; a round costs as much as the coast is long, and with a local perimeter its length times the
+//! radius.
 //!
 //! # Limits
-//! Rounds stand for no time. What is taken falls to one depth. Land and sea are told apart at the start: what other processes on the same
-//! clock raise or drown is not looked at again; put the stages after one another. A coast without weakening is bitten by so many cells,
-//! not metres, as a model without a scale must be.
+//! Rounds have no length in time. All land that falls gets the same depth. Land and sea are separated at the start: land that
+//! other processes on the same clock raise or drown is not examined again, so put the stages after one another. Without weakening
+//! the model has no scale: the depth of its bays is a number of cells, not of metres.
 //!
 //! # Sources
-//! Sapoval, Baldassarri & Gabrielli (2004); Pytel (2015), 2.3.3, 4.2, 4.3.4 and B.1, whose radii are read as metres on sites 15 m apart
-//! (with radii of 150 to 250 sites his times could not have been had). L in Eq. 4.2 is taken over 2 R: see `perimeter.rs`.
+//! Sapoval, Baldassarri & Gabrielli (2004); Pytel (2015), 2.3.3, 4.2, 4.3.4 and B.1, whose radii are read as metres on sites 15 m
+//! apart (radii of 150 to 250 sites do not fit his run times). L in Eq. 4.2 is taken over 2 R: see `perimeter.rs`.
 //!
 //! # Checked by
 //! `tests`: fractal dimension, width and final force of percolation fronts, global as the limit of local, rest, sea, weakening.
 //!
 //! # Example
-//! A sea that is stronger than any rock takes one ring of places in each round:
+//! A sea that is stronger than any rock takes one ring of sites in each round:
 //!
 //! ```
 //! use landform_core::grid::{Grid, Shape};

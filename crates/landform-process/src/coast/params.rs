@@ -6,7 +6,7 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Whose length damps the sea.
+/// Coast whose length damps the sea.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(
     untagged,
@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 pub enum Perimeter {
     /// "global": all coasts together.
     Whole(Whole),
-    /// Coasts within a radius of each place.
+    /// Coasts within a radius of each site.
     Local {
         /// The radius.
         local: Length,
@@ -24,7 +24,7 @@ pub enum Perimeter {
         #[serde(default)]
         search: Search,
     },
-    /// Coasts of the sectors around each place, linear between their middles: quick, and a little of the sectors shows.
+    /// Coasts of the sectors around each site, linear between the centres of sectors: fast, but traces of the sectors remain.
     Sectors {
         /// The map is cut into 2^k by 2^k sectors.
         sectors: u32,
@@ -46,15 +46,15 @@ pub enum Search {
     /// Those of the same shore.
     #[default]
     Contiguous,
-    /// All, islands too.
+    /// All shores, islands included.
     All,
 }
 
-/// How places grow weaker with the sides that the sea reaches.
+/// How the resistance of sites falls with the number of their sides that the sea reaches.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Exposure {
-    /// Not at all.
+    /// It does not fall.
     None,
     /// In proportion to the sides that still touch land.
     Proportional,
@@ -63,13 +63,13 @@ pub enum Exposure {
     Squared,
 }
 
-/// Places near one that falls grow weaker.
+/// Weakening of sites near one that falls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Weakening {
-    /// What a place loses of its resistance when a square of 0.6 radii beside it falls; less with distance.
+    /// Resistance that a site loses when a square of 0.6 radii beside it falls; less with distance.
     pub amount: f64,
-    /// Where nothing is lost any more.
+    /// Distance from which on a site loses nothing.
     pub radius: Length,
 }
 
@@ -79,60 +79,63 @@ impl Default for Weakening {
     }
 }
 
-/// When the sea rests.
+/// When the sea stops.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, deny_unknown_fields, expecting = "expected \"stable\" or { land = 0.6 }")]
 pub enum Until {
-    /// "stable": when no place gives way any more.
+    /// "stable": when no site falls any more.
     Stable(Stable),
-    /// When so much of the land is left.
+    /// When this fraction of the land is left.
     Land {
-        /// Part of the land at the start, 0 to 1.
+        /// Fraction of the land at the start, 0 to 1.
         land: f64,
     },
 }
 
-/// Rest.
+/// The end of erosion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Stable {
-    /// No place gives way any more.
+    /// No site falls any more.
     Stable,
 }
 
-/// The sea gnaws the land: places give way where the force of the sea is above their resistance; the longer the coast, the weaker the sea.
-/// What is open on the border of the map is sea. Runs without a clock.
+/// Coast erosion: a site of the coast falls where the force of the sea exceeds its resistance, and a longer coast damps the sea.
+/// The sea lies beyond the open sides of the map. Runs without a clock.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct CoastErosion {
     /// Force f of the sea, against resistances from 0 to 1.
     #[schemars(extend("x-min" = 0.0))]
     pub force: Varying<RatioDimension>,
-    /// Damping g of the sea by the length of the coast: F = f / (1 + g L / L0). 0.1 and more: a rough coast; 0.003 and less: a fractal.
+    /// Damping g of the sea by the length of the coast: F = f / (1 + g L / L0). With 0.1 and more the coast is rough, with 0.003
+    /// and less it is fractal.
     #[schemars(extend("x-min" = 0.0))]
     pub damping: Varying<RatioDimension>,
-    /// Whose length damps: "global", { local = "1 km", search = "contiguous" } or "all", or { sectors = 2 }.
+    /// Coast whose length damps the sea: "global", { local = "1 km", search = "contiguous" } or "all", or { sectors = 2 }.
     pub perimeter: Perimeter,
-    /// How places grow weaker with the sides that the sea reaches.
+    /// How the resistance of sites falls with the number of their sides that the sea reaches.
     pub exposure: Exposure,
-    /// Weakening of what lies near a place that falls, for coasts that are less folded; a map may scale its amount.
+    /// Weakening of sites near one that falls: { amount, radius }. It makes coasts straighter. `weakening_factor` may vary its
+    /// amount in space.
     pub weakening: Option<Weakening>,
     /// Factor on the amount of weakening.
     #[schemars(extend("x-min" = 0.0))]
     pub weakening_factor: Varying<RatioDimension>,
-    /// Part k of the force that wears a place down in each round; 0: places hold until the force is above them.
+    /// Fraction k of the force that wears a site down in each round. With 0 a site keeps its resistance until the force exceeds
+    /// it.
     #[schemars(extend("x-min" = 0.0))]
     pub wear: Varying<RatioDimension>,
-    /// Factor on resistances, which are random from 0 to 1: the rock.
+    /// Factor on the resistances of the rock, which are random from 0 to 1; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub resistance: Varying<RatioDimension>,
     /// When the sea rests: "stable", or { land = 0.6 }.
     pub until: Until,
-    /// Most rounds.
+    /// Greatest number of rounds.
     #[schemars(extend("x-min" = 1, "x-max" = 1e7))]
     pub iterations: u64,
-    /// Sea level: what lies at or under it and reaches the open border is sea. As the environment has it, if not given; else
-    /// 0 m.
+    /// Sea level. Ground at or under it that is connected to the open border is sea. If not given, it is the environment's sea
+    /// level, or else 0 m.
     pub sea_level: Option<Length>,
     /// Depth of the water where land was taken.
     #[schemars(extend("x-above" = 0.0))]

@@ -1,4 +1,4 @@
-//! Small islands, taken away.
+//! Removal of small islands.
 
 use landform_core::Result;
 use landform_core::agents::{Connectivity, RasterSites};
@@ -11,14 +11,14 @@ use serde::{Deserialize, Serialize};
 
 use super::front::flood;
 
-/// Takes away islands with a short coast, as `coast_erosion` leaves many; the sea covers them.
+/// Removes islands with a short coast, of which `coast_erosion` leaves many; the sea covers them.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct PruneIslands {
-    /// Islands with a shorter coast go; 24 cells if not given.
+    /// Islands with a shorter coast are removed. If not given, it is 24 cells.
     #[schemars(extend("x-min" = 0.0))]
     pub perimeter: Option<Length>,
-    /// Sea level. As the environment has it, if not given; else 0 m.
+    /// Sea level. If not given, it is the environment's, or else 0 m.
     pub sea_level: Option<Length>,
     /// Depth of the water where islands were.
     #[schemars(extend("x-above" = 0.0))]

@@ -180,7 +180,8 @@ fn the_sea_rests_and_is_one() {
 
 #[test]
 fn weakening_straightens_the_coast() {
-    // CO8, on the amounts of table 4.5. The coast wears (k = 1), and the sea stops at the same share of land. The effect is a few per cent.
+    // CO8, on the amounts of table 4.5. The coast wears (k = 1), and the sea stops at the same share of land. The effect is a few
+    // per cent.
     let amounts = [0.0, 0.05, 0.075, 0.1, 0.15, 0.175];
     let length = |amount: f64| {
         let sum: f64 = (1..=8)

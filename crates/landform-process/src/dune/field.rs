@@ -26,7 +26,7 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// Takes the sand that lies on a terrain, and at the start of a run lays that of the parameters beside it.
+    /// Takes the sand that lies on a terrain, and at the start of a run adds the sand of the parameters.
     pub(super) fn lay(params: &Dunes, terrain: &HeightField, context: &Context) -> Result<Self> {
         let slab = params.slab_on(terrain.grid());
         let unit = slab / f64::from(UNITS_A_SLAB);
@@ -61,7 +61,7 @@ impl Field {
             if depth < 0.0 {
                 return Err(Error::parameter("sand", format!("{depth} m at node {i}"), "at least 0 m everywhere"));
             }
-            // Whole slabs, rounded at random, are the first unevenness that wind takes hold of.
+            // Whole slabs, rounded at random, are the first unevenness on which the wind acts.
             let uneven = if context.step == 0 { context.seed.uniform(i as u64) } else { 0.0 };
             let slabs = (depth / slab + uneven).floor() as i32;
             sand.lay(i, slabs * UNITS_A_SLAB + (lying(i) / unit).round() as i32);
@@ -85,10 +85,10 @@ impl Field {
         (0..self.ground.len()).map(|i| self.sand.depth(i))
     }
 
-    /// Takes ground and sand as other processes have left them.
+    /// Reads ground and sand after other processes.
     pub(super) fn take_over(&mut self, terrain: &HeightField) {
         let (z, lying) = (terrain.elevation(), terrain.depth(SAND).unwrap_or(&[]));
-        // What rounding leaves is no change.
+        // A difference by rounding is no change.
         let same = |a: f64, b: f64| (a - b).abs() < 1e-6 * self.unit;
         for i in 0..z.len().min(lying.len()) {
             let own = f64::from(self.sand.depth(i)) * self.unit;
@@ -108,7 +108,7 @@ impl Field {
         terrain.change_depth(SAND, &depth)
     }
 
-    /// The site where sand comes down that starts at a site and hops so many columns east and rows south; none if it leaves.
+    /// The site where sand lands that starts at a site and hops this many columns east and rows south; none if it leaves.
     #[inline]
     pub(super) fn hop(&self, site: usize, cols: i64, rows: i64) -> Option<usize> {
         let shape = self.sand.shape();

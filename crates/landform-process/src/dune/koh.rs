@@ -1,11 +1,12 @@
 //! Koh's automaton (2002), section 5.2.
 //!
-//! Wind enters at full strength and is swept row by row: the mean of the three cells upwind, less a part of the height by which the next
-//! cell to windward stands above. (The seed's "next cell in the wind direction" is read as it reads "the three neighbouring cells in the
-//! wind direction" a sentence before: towards the wind. Slowed by the rise ahead instead, sand never comes to rest in a lee.)
-//! Its strength is the chance that a slab moves, to the lowest of the three cells downwind, unless the rise is too steep. All cells move
-//! at once. What the seed leaves out: slabs slip at the angle of repose, and wind that was slowed comes back over a distance, without which
-//! the first dune would shield all others. Where it does not come back, it begins anew at the seam of the torus in every round.
+//! Wind enters at full strength and is swept row by row: the mean of the three cells upwind, less a part of the height by which
+//! the next cell to windward stands above. (The thesis' "next cell in the wind direction" is read as it reads "the three
+//! neighbouring cells in the wind direction" a sentence before: towards the wind. If the rise ahead slows the wind instead, sand
+//! never comes to rest in a lee.) Its strength is the probability that a slab moves, to the lowest of the three cells downwind,
+//! unless the rise is too steep. All cells move at once. Two rules are added to the thesis: slabs slip at the angle of repose,
+//! and slowed wind recovers over a distance; without the second the first dune would shield all others. Wind that does not
+//! recover begins anew at the seam of the torus in every round.
 
 use landform_core::random::Seed;
 use landform_core::terrain::HeightField;
@@ -21,7 +22,7 @@ use crate::mechanism::wind::WindScan;
 pub(super) fn wind_over(sweep: &WindScan, height: impl Fn(usize) -> f64, loss: f64, recovery: f64, out: &mut [f32]) {
     let (lines, length) = sweep.scan_lines();
     let (mut before, mut here) = (vec![1.0f64; length], vec![1.0f64; length]);
-    // Wind that comes back forgets where it began; then the seam of a torus may be crossed, and nobody sees it.
+    // Wind that recovers does not depend on where it began, so it may cross the seam of a torus without a trace.
     let passes = if sweep.is_torus() && recovery > 0.0 { 2 } else { 1 };
     for k in 0..lines * passes {
         let (line, first) = (k % lines, k == 0);
@@ -37,7 +38,7 @@ pub(super) fn wind_over(sweep: &WindScan, height: impl Fn(usize) -> f64, loss: f
             };
             let node = sweep.node(line, at);
             let shielding = windward.map_or(0.0, |n| height(n) - height(node));
-            // A hole in the ground neither slows nor stops.
+            // Nodata neither slows nor stops the wind.
             let shielding = if shielding.is_nan() { 0.0 } else { shielding.max(0.0) };
             here[at] = (wind - loss * shielding / sweep.line_spacing).clamp(0.0, 1.0);
             out[node] = here[at] as f32;

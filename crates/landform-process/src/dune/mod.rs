@@ -1,23 +1,24 @@
 //! Dunes.
 //!
 //! # Model
-//! Slabs of sand on hard ground. In a round every site is blown at once on average: if sand lies there and nothing shelters it, a slab is
-//! lifted and hops downwind. Where it comes down it stays, certainly in shelter, likely on sand, less likely on hard ground; else it hops
-//! on. Sand that stands too steep slips. What shelters is the model's: `werner` a shadow, `protection` a cone, `koh` a wind field.
+//! Slabs of sand lie on hard ground. In a round the wind acts once on average on every site: if sand lies there without shelter,
+//! a slab is lifted and hops downwind. Where it lands it stays for certain in shelter, likely on sand, less likely on hard
+//! ground; else it hops on. Sand steeper than the angle of repose slips. Shelter depends on the model: a shadow with `werner`, a
+//! cone with `protection`, a wind field with `koh`.
 //!
 //! # Method
-//! Heights are whole numbers of 1/64 slab, so sand is kept exactly. Sites are drawn at random within strips that fit in the cache. What
-//! shelters is found anew four times a round. Hops that are no whole number of cells are rounded at random to either side. At the end
-//! slabs get finer and diffusion takes away what the lattice left.
+//! Heights are whole numbers of 1/64 slab, so sand is conserved exactly. Sites are drawn at random within strips that fit in the
+//! cache. Shelter is found anew four times a round. Hops that are no whole number of cells are rounded at random to either side.
+//! At the end slabs get finer, and diffusion removes the grooves of the lattice.
 //!
 //! # Limits
-//! No least size of dunes: a cell should be 1 to 3 m, or dunes that nature would not make appear. Seed and erratum differ on a hop of
-//! length 0 (table 4.2): there is none here. Eight neighbours slip (Werner: four); along axes not above repose, diagonally up to a half
-//! slab more.
+//! Dunes have no least size: a cell should be 1 to 3 m, or dunes appear that do not occur in nature. Thesis and erratum differ on
+//! a hop of length 0 (table 4.2): there is none here. Sand slips to eight neighbours (Werner: four); along axes slopes do not
+//! exceed repose, diagonally they may by up to half a slab.
 //!
 //! # Sources
-//! Werner (1995); Pytel (2015), 4.1, in whose tables a site is taken to be 15 m wide: a slab of 5 is then a third of it, as in Werner;
-//! Koh (2002), 5.2.
+//! Werner (1995); Pytel (2015), 4.1, in whose tables a site is taken to be 15 m wide: a slab of 5 is then a third of it, as in
+//! Werner; Koh (2002), 5.2.
 //!
 //! # Checked by
 //! `tests`: sand kept, slopes, coarsening, bare ground, barchans' speed and shape, classes by wind, grooves, Koh's wind.
@@ -68,7 +69,7 @@ landform_core::stages! {
     process Dunes where HeightField;
 }
 
-/// Sand on its ground, and what shelters it.
+/// Sand on its ground, and its shelter.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
     field: Field,
@@ -119,7 +120,7 @@ impl Process<HeightField> for Dunes {
         let rose = self.rose(&at.environment)?;
         let wind = rose.draw(seed.named("wind"), at.index / self.spell);
         let part = (at.dt / self.round(field.slab())).min(1.0);
-        // Finer slabs belong to the end of a run of so many rounds.
+        // Finer slabs belong to the end of a run of known length.
         let is_own = at.of == Some(self.iterations + self.fine_rounds());
         field.sand.set_slab(self.slab_units(if is_own { at.index } else { 0 }));
         let swallowed = field.sand.swallowed() + field.left;
@@ -162,7 +163,7 @@ impl Process<HeightField> for Dunes {
 }
 
 impl Dunes {
-    /// Part of the winds from which each site is sheltered by the model's own rule, on the sand as it lies.
+    /// Fraction of the winds from which each site is sheltered by the model's own rule, on the sand as it lies.
     fn shelter(&self, terrain: &HeightField, state: &mut State, environment: &Environment) -> Result<Vec<f64>> {
         let State { field, protection, scratch, .. } = state;
         let rose = self.rose(environment)?;

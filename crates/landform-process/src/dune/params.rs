@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Model {
-    /// Slabs that hop downwind and rest in the shadow of higher sand (Werner 1995).
+    /// Slabs that hop downwind and come to rest in the shadow of higher sand (Werner 1995).
     #[default]
     Werner,
     /// As `werner`, but sand protects a cone downwind of it instead of casting a shadow (Pytel 2015).
@@ -20,66 +20,67 @@ pub enum Model {
     Koh,
 }
 
-/// What happens to sand at the sides.
+/// How the sides of the map treat sand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Borders {
-    /// What leaves on one side enters on the other.
+    /// Sand that leaves on one side enters on the opposite one.
     #[default]
     Periodic,
-    /// What leaves is gone.
+    /// Sand that leaves is lost.
     Open,
 }
 
-/// Dunes: wind piles loose sand on hard ground. Barchans, transverse, linear and star dunes follow from how much sand there is and how the
-/// wind turns. Runs without a clock for `iterations` rounds, each as long as `flux` makes it.
+/// Dunes: wind piles up loose sand on hard ground. The amount of sand and the directions of the wind decide whether barchans,
+/// transverse, linear or star dunes form. Runs without a clock for `iterations` rounds, whose length in time follows from `flux`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Dunes {
     /// Rules that move the sand.
     pub model: Model,
-    /// Depth of sand laid on the ground at the start, beside the sand that lies there; none is laid under water.
+    /// Depth of sand that is added at the start to the sand on the ground; none is added under water.
     pub sand: Varying<LengthDimension>,
-    /// Winds and the part of the time that each blows, by the compass direction that it comes from. As the environment
-    /// has them, if none are given; else a west wind.
+    /// Winds, each with the compass direction that it comes from and the fraction of the time that it blows. If none are given,
+    /// they are the environment's, or else a west wind.
     pub wind: Vec<Wind>,
-    /// Rounds that a wind blows before the next is drawn.
+    /// Number of rounds that a wind blows before the next is drawn.
     #[schemars(extend("x-min" = 1))]
     pub spell: u64,
-    /// Distance that sand is carried at once.
+    /// Distance that sand is carried in one hop.
     #[schemars(extend("x-above" = 0.0))]
     pub hop: Length,
-    /// Rounds, if there is no clock; in each every place is blown at once on average.
+    /// Number of rounds, if there is no clock. In each round the wind acts once on average on every site.
     #[schemars(extend("x-max" = 1e7))]
     pub iterations: u64,
-    /// Thickness of a slab; half of the greatest step between neighbours if not given (a third of a cell), with `koh` a sixth of it.
+    /// Thickness of a slab. If not given, it is half of the greatest step between neighbours (a third of a cell); with `koh` a
+    /// sixth of it.
     #[schemars(extend("x-above" = 0.0))]
     pub slab: Option<Length>,
-    /// Further rounds with finer slabs: 2 with a half, 4 with a quarter, up to 2^k with a 2^k-th.
+    /// Number k of refinements at the end: 2 more rounds with half slabs, 4 with quarters, up to 2^k with slabs of a 2^k-th.
     #[schemars(extend("x-max" = 6))]
     pub refinements: u32,
-    /// Chance that sand which comes down stays, on sand.
+    /// Probability that sand which lands on sand stays.
     #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
     pub stay_on_sand: f64,
-    /// Chance that sand which comes down stays, on hard ground.
+    /// Probability that sand which lands on hard ground stays.
     #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
     pub stay_on_ground: f64,
     /// Angle of repose.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub repose: Angle,
-    /// Werner: angle below which the wind does not reach down behind a rise.
+    /// Werner: angle of the wind shadow behind a rise: the wind does not reach the ground below it.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub shadow: Angle,
-    /// Protection: how far downwind a place protects.
+    /// Protection: distance downwind that a site protects.
     #[schemars(extend("x-above" = 0.0))]
     pub reach: Length,
-    /// Protection: angle to either side of the wind of the cone that is protected.
+    /// Protection: half-angle of the protected cone, to either side of the wind.
     #[schemars(extend("x-min" = 0.0, "x-max" = 90.0))]
     pub cone: Angle,
-    /// Koh: part of its strength that the wind loses behind a drop of one in one.
+    /// Koh: fraction of its strength that the wind loses behind a drop of one in one.
     #[schemars(extend("x-min" = 0.0))]
     pub wind_loss: f64,
-    /// Koh: distance over which wind that was slowed comes back; never, if not given.
+    /// Koh: distance over which slowed wind recovers. If not given, it never does.
     #[schemars(extend("x-above" = 0.0))]
     pub wind_recovery: Option<Length>,
     /// Koh: strength below which wind carries nothing.
@@ -88,15 +89,16 @@ pub struct Dunes {
     /// Koh: steepest rise that sand is blown up.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
     pub steepest_climb: Angle,
-    /// Distance, in cells, over which diffusion smooths the sand at the end; takes away grooves that the lattice leaves.
+    /// Distance, in cells, over which diffusion smooths the sand at the end. It removes grooves that follow the lattice.
     #[schemars(extend("x-min" = 0.0, "x-max" = 50.0))]
     pub smoothing: f64,
-    /// Sand that the wind could carry a year across each metre of width, over open sand; says how long a round is.
+    /// Sand that the wind could carry in a year across each metre of width, over open sand. It sets the length of a round in
+    /// time.
     #[schemars(extend("x-above" = 0.0))]
     pub flux: Diffusivity,
-    /// What happens to sand at the sides.
+    /// How the sides of the map treat sand.
     pub borders: Borders,
-    /// Sea level: sand that falls on ground under it is lost. As the environment has it, if not given; else 0 m.
+    /// Sea level: sand that falls on ground under it is lost. If not given, it is the environment's, or else 0 m.
     pub sea_level: Option<Length>,
 }
 

@@ -1,4 +1,4 @@
-//! A round of Werner's rules, whatever it is that shelters.
+//! A round of Werner's rules, with any rule of shelter.
 
 use landform_core::grid::Grid;
 use landform_core::random::{Seed, Stream};
@@ -12,10 +12,10 @@ use crate::mechanism::wind::WindScan;
 
 /// How often shelter is found anew in a round.
 const LOOKS_A_ROUND: u64 = 4;
-/// Sites of a strip that is blown at together: heights, sand and shelter of them fit in the second cache.
+/// Sites of a strip on which the wind acts together: their heights, sand and shelter fit in the second-level cache.
 const STRIP: usize = 1 << 16;
 
-/// Blows at every site once on average (or at a part of them).
+/// Lets the wind act once on average on every site (or on a fraction of them).
 #[expect(clippy::too_many_arguments, reason = "one call, from the step")]
 pub(super) fn round(
     params: &Dunes,
@@ -70,7 +70,7 @@ pub(super) fn find_shelter(
     protection.sheltered(wind, &mut scratch.sheltered);
 }
 
-/// A chance as a bound on 32 random bits.
+/// A probability as a bound on 32 random bits.
 fn bound(chance: f64) -> u64 {
     (chance * (1u64 << 32) as f64) as u64
 }
@@ -88,7 +88,7 @@ fn blow(
 ) {
     let (on_sand, on_ground) = (bound(params.stay_on_sand), bound(params.stay_on_ground));
     let whole = hop.map(|h| h.floor() as i64);
-    // The chance of one cell more.
+    // The probability of one cell more.
     let more = [0, 1].map(|k| bound(hop[k] - hop[k].floor()));
     let slants = more != [0, 0];
     for _ in 0..times {

@@ -1,4 +1,4 @@
-//! Diffusion of the sand alone (Pytel 2015, Eq. 4.1), which takes away the grooves that the lattice leaves.
+//! Diffusion of the sand alone (Pytel 2015, Eq. 4.1), which removes the grooves of the lattice.
 
 use landform_core::Result;
 use landform_core::terrain::{HeightField, NodeSurface};
@@ -8,7 +8,7 @@ use super::field::{Field, SAND};
 /// Largest part of a difference that crosses a face in one round: explicit diffusion is stable below a quarter.
 const MOST: f64 = 0.2;
 
-/// Smooths the surface of the sand over a distance of `cells`; sand is kept, ground stays, sinks take no part.
+/// Smooths the surface of the sand over a distance of `cells`; sand is conserved, the ground stays, sinks take no part.
 pub(super) fn diffuse(terrain: &mut HeightField, field: &Field, cells: f64, torus: bool) -> Result<()> {
     // After n rounds of strength w a point has spread over sqrt(2 n w) cells.
     let rounds = (cells * cells / (2.0 * MOST)).ceil();
@@ -19,7 +19,7 @@ pub(super) fn diffuse(terrain: &mut HeightField, field: &Field, cells: f64, toru
     let (mut sand, mut flux) = (depth, vec![0.0; shape.len()]);
     let ground: Vec<f64> = (0..shape.len()).map(|i| terrain.elevation()[i] - sand[i]).collect();
     for _ in 0..rounds as u64 {
-        // What leaves a cell in all, so that none gives more than it has.
+        // Total outflow of a cell, so that none loses more than it has.
         let links = |i: usize| {
             let cell = shape.cell(i);
             let east = if cell.col + 1 < shape.cols { Some(i + 1) } else { torus.then(|| i + 1 - shape.cols) };

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Add {
-    /// What is added; may vary in space.
+    /// Height that is added; may vary in space.
     pub elevation: Varying<LengthDimension>,
 }
 

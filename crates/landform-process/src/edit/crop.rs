@@ -1,6 +1,6 @@
 //! A part of the ground.
 
-use landform_core::grid::{Edges, Grid};
+use landform_core::grid::{Edge, Edges, Grid, Status};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Edit, Estimate, Params, Source};
@@ -8,11 +8,11 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Keeps a rectangle of the ground and forgets the rest. Sides that are cut are open: water leaves over them.
+/// Keeps a rectangle of the ground and removes the rest. Sides that are cut are open: water leaves over them.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Crop {
-    /// West, south, east and north side, in the coordinates of the ground; all of it, if not given.
+    /// West, south, east and north side, in the coordinates of the ground. If not given, all of the ground is kept.
     pub region: Option<[Length; 4]>,
 }
 
@@ -45,13 +45,42 @@ impl Edit<HeightField> for Crop {
                 &format!("a part of the ground, which lies at {w}, {s}, {e}, {n} m"),
             ));
         };
-        let is_cut = first != [0, 0] || last != [grid.shape.rows - 1, grid.shape.cols - 1];
-        let edges = if is_cut { Edges::default() } else { grid.edges };
+        let (shape, whole) = (grid.shape, grid.edges);
+        let [cut_north, cut_west] = first.map(|at| at > 0);
+        let [cut_south, cut_east] = [last[0] + 1 < shape.rows, last[1] + 1 < shape.cols];
+        let side = |edge: Edge, cut: bool, opposite: bool| {
+            if cut || (opposite && edge == Edge::Periodic) { Edge::Open } else { edge }
+        };
+        let edges = Edges {
+            north: side(whole.north, cut_north, cut_south),
+            south: side(whole.south, cut_south, cut_north),
+            west: side(whole.west, cut_west, cut_east),
+            east: side(whole.east, cut_east, cut_west),
+        };
+        let chosen = terrain.chosen_status().is_some();
         let mut part = terrain.window(&grid.window(first, last)?)?;
-        // What is kept is whole from now on.
+        // The part that is kept is a whole grid from now on.
         part.set_grid(Grid { frame: None, edges, ..part.grid().clone() })?;
-        if is_cut {
+        if chosen {
+            // Outlets that were chosen stay, and the sides that are cut come to them.
+            let kept = part.chosen_status().map(<[Status]>::to_vec);
             part.set_status(None);
+            let mut status = kept.unwrap_or_else(|| vec![Status::Interior; part.grid().len()]);
+            let shape = part.grid().shape;
+            for (i, s) in status.iter_mut().enumerate().filter(|(_, s)| **s == Status::Interior) {
+                let cell = shape.cell(i);
+                let at_cut = cut_north && cell.row == 0
+                    || cut_south && cell.row + 1 == shape.rows
+                    || cut_west && cell.col == 0
+                    || cut_east && cell.col + 1 == shape.cols;
+                if at_cut {
+                    *s = Status::BaseLevel;
+                }
+            }
+            let masked = |i: usize| part.elevation()[i].is_nan();
+            let status = status.into_iter().enumerate();
+            let status = status.map(|(i, s)| if masked(i) { Status::Masked } else { s }).collect();
+            part.set_status(Some(status));
         }
         *terrain = part;
         Ok(())
@@ -70,7 +99,7 @@ impl Edit<HeightField> for Crop {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use landform_core::grid::{Edge, Shape};
+    use landform_core::grid::Shape;
 
     fn field() -> HeightField {
         let grid = Grid::new(Shape::new(5, 6), [10.0, 10.0]).unwrap();
@@ -84,9 +113,21 @@ mod tests {
         crop.edit(&mut part, &Context::default()).unwrap();
         assert_eq!(part.grid().bounds(), [[10.0, 10.0], [30.0, 20.0]]);
         assert_eq!(part.elevation(), [13.0, 14.0, 15.0, 19.0, 20.0, 21.0]);
-        assert!(part.grid().frame.is_none() && part.grid().edges == Edges::default());
+        assert!(part.grid().frame.is_none() && part.grid().edges == Edges::default() && part.chosen_status().is_none());
         let estimate = crop.estimate(Estimate { nodes: 30, bytes: 0, extent: [50.0, 40.0] });
         assert!((4..=8).contains(&estimate.nodes), "{estimate:?}");
+    }
+
+    #[test]
+    fn outlets_that_were_chosen_stay_and_cut_sides_open() {
+        let mut part = field();
+        let south = (0..30).map(|i| if i >= 24 { Status::BaseLevel } else { Status::Interior }).collect();
+        part.set_status(Some(south));
+        let crop: Crop = serde_json::from_str(r#"{"region":["0 m","0 m","30 m","40 m"]}"#).unwrap();
+        crop.edit(&mut part, &Context::default()).unwrap();
+        let held = |i: usize| part.chosen_status().unwrap()[i] == Status::BaseLevel;
+        let found: Vec<usize> = (0..20).filter(|&i| held(i)).collect();
+        assert_eq!(found, [3, 7, 11, 15, 16, 17, 18, 19]);
     }
 
     #[test]

@@ -11,12 +11,12 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Leaves fields that follow from the ground as it is now: slope, aspect, curvatures, position above the surroundings, relief, shadow,
-/// drainage area that spreads. They can be written, drawn, and used as masks.
+/// Adds fields that follow from the ground as it is now: slope, aspect, curvatures, position above the surroundings, relief,
+/// exposure to sun or wind, spread drainage area. They can be written, drawn, and used as masks.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Derive {
-    /// Which fields.
+    /// Fields that are added.
     pub fields: Vec<Derived>,
     /// position_index and local_relief: half of the side of the square around each node.
     #[schemars(extend("x-above" = 0.0))]
@@ -40,9 +40,9 @@ pub enum Derived {
     ProfileCurvature,
     /// Curvature of the contour, 1/m.
     PlanCurvature,
-    /// Elevation less the mean around, m.
+    /// Elevation less the mean of the surroundings, m.
     PositionIndex,
-    /// Highest less lowest around, m.
+    /// Highest less lowest elevation of the surroundings, m.
     LocalRelief,
     /// 1 where the sun or the wind reaches, 0 in shadow.
     Exposure,
@@ -82,7 +82,7 @@ impl Params for Derive {
 }
 
 impl Derive {
-    /// How far around a place a field looks.
+    /// How far around a node a field reads.
     fn reach_of(&self, what: Derived) -> Reach {
         match what {
             Derived::Slope | Derived::Aspect | Derived::ProfileCurvature | Derived::PlanCurvature => Reach::Cells(1),

@@ -1,4 +1,4 @@
-//! Fills hollows to the level at which they spill.
+//! Fills depressions to the level at which they spill.
 
 use landform_core::Result;
 use landform_core::algo::flow::Flow;
@@ -7,7 +7,7 @@ use landform_core::verb::{Context, Edit, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Fills every hollow to the level at which its water would spill. Filled ground is flat.
+/// Fills every depression to the level at which its water would spill. Filled ground is level.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct FillDepressions {}

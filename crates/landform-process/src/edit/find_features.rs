@@ -1,4 +1,4 @@
-//! Rivers, lakes and other things with a place, found and kept.
+//! Rivers, lakes and other features, found and kept.
 
 use landform_core::analysis::{FeatureSearch, Width, find_features};
 use landform_core::terrain::Rasterize;
@@ -8,23 +8,23 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Finds rivers, lakes, basins, coasts and contours and keeps them with the landscape: later stages may use them, as in
-/// { feature = "rivers", buffer = "50 m" }. What is found again keeps its id.
+/// Finds rivers, lakes, basins, coasts and contours and keeps them with the landscape: later stages may use them, as in { feature
+/// = "rivers", buffer = "50 m" }. A feature that is found again keeps its id.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct FindFeatures {
-    /// What is looked for.
+    /// Kinds of features that are found.
     pub features: Vec<FeatureWord>,
-    /// Least drainage area of a river and of a basin; a two-thousandth of the map if not given.
+    /// Least drainage area of a river and of a basin. If not given, it is a two-thousandth of the map.
     #[schemars(extend("x-above" = 0.0))]
     pub least_area: Option<Area>,
     /// Least depth of a lake, where it is deepest.
     #[schemars(extend("x-min" = 0.0))]
     pub least_depth: Length,
-    /// Sea level, at which rivers end and coasts run. As the environment has it, if not given.
+    /// Sea level, at which rivers end and coasts lie. If not given, it is the environment's.
     pub sea_level: Option<Length>,
-    /// Rainfall for discharge, where the landscape has no field of it; all of it runs off. As the environment has it, if not given;
-    /// else 1 m/yr.
+    /// Rainfall from which discharge follows, where the landscape has no field of discharge; all of it runs off. If not given, it
+    /// is the environment's, or else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Rate>,
     /// Width of a river that carries 1 m3/s, m, where the depth of the water is not known.

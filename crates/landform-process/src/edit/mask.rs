@@ -1,4 +1,4 @@
-//! Places chosen by what they are.
+//! Masks of places with given properties.
 
 use landform_core::algo::derivative::{gradient, position_index};
 use landform_core::field::{Values, names};
@@ -9,31 +9,31 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Leaves a mask, a field from 0 to 1: places within a range of elevation, slope, direction or position, as many of them as are given,
-/// times a map. Other stages use it as { field = "mask" }.
+/// Adds a mask, a field from 0 to 1: it is 1 within all the given ranges of elevation, slope, direction and position, and is
+/// multiplied by a map. Other stages use it as { field = "mask" }.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Mask {
     /// Name of the field.
     pub name: String,
-    /// From this elevation to that one.
+    /// Range of elevation, lowest and highest.
     pub elevation: Option<[Length; 2]>,
-    /// From this slope to that one.
+    /// Range of slope, least and greatest.
     #[schemars(extend("x-min" = 0.0, "x-max" = 90.0))]
     pub slope: Option<[Angle; 2]>,
-    /// Facing from this compass direction clockwise to that one.
+    /// Range of the compass direction that the ground faces, from the first clockwise to the second.
     pub aspect: Option<[Angle; 2]>,
-    /// From this height to that one above the mean of the ground around: ridges are above 0, valleys below.
+    /// Range of height above the mean of the surrounding ground: ridges are above 0, valleys below.
     pub position: Option<[Length; 2]>,
     /// Position: half of the side of the square around each node.
     #[schemars(extend("x-above" = 0.0))]
     pub radius: Length,
-    /// A map that the rest is multiplied by.
+    /// Map by which the mask is multiplied.
     pub map: Option<Varying<RatioDimension>>,
-    /// Part of each range over which the mask rises and falls at its ends; 0 is a sharp edge.
+    /// Fraction of each range over which the mask rises and falls at its ends. With 0 edges are sharp.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub softness: f64,
-    /// Chooses everything else instead.
+    /// Whether the mask chooses everything else instead.
     pub invert: bool,
 }
 

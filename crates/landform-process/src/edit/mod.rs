@@ -1,6 +1,6 @@
-//! One-shot changes that are not nature, and changes of representation.
+//! Single changes that no natural process makes, and changes of representation.
 //!
-//! A hollow is filled up to the lowest pass of its rim:
+//! A depression is filled up to the lowest pass of its rim:
 //!
 //! ```
 //! use landform_core::grid::{Grid, Shape};

@@ -7,14 +7,14 @@ use landform_core::verb::{Context, Edit, Estimate, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The same ground on another raster: interpolated where cells shrink, means where they grow.
+/// Puts the same ground on another raster: interpolated where cells shrink, averaged where they grow.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Resample {
     /// Distance between nodes; adjusted so that a whole number of cells fits.
     #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub cell_size: Length,
-    /// Between the nodes, where cells shrink.
+    /// How elevations between nodes are found, where cells shrink.
     pub interpolation: Interpolation,
 }
 

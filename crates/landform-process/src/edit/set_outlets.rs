@@ -7,13 +7,13 @@ use landform_core::verb::{Context, Edit, NamedOutlets, Outlets, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Says once where water leaves the ground, for every stage that follows and does not say so itself.
+/// Sets where water leaves the ground, for all later stages that have no outlets of their own.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SetOutlets {
-    /// "border", "valleys", "sea", a list of sides, or a table with `border_where` and `below`, or with `mask`.
+    /// The outlets: "border", "valleys", "sea", a list of sides, or a table with `border_where` and `below`, or with `mask`.
     pub outlets: Outlets,
-    /// Sea level, for "sea". As the environment has it, if not given; else 0 m.
+    /// Sea level, for "sea". If not given, it is the environment's, or else 0 m.
     pub sea_level: Option<Length>,
 }
 

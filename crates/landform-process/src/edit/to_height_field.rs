@@ -14,8 +14,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::mechanism::write_drainage_fields;
 
-/// Turns a mesh into a raster; fields come along, linear on every triangle. Drainage area and basins are routed anew, so
-/// that rivers run through the raster's own valleys.
+/// Turns a mesh into a raster, with its fields, linear on every triangle. Drainage area and basins are routed anew, so that
+/// rivers run through the raster's own valleys.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToHeightField {
@@ -66,7 +66,7 @@ impl Convert<Mesh, HeightField> for ToHeightField {
             let depth = field.fields.remove(names::LAKE_DEPTH.name);
             let domain = field.domain();
             write_drainage_fields(&mut field, &domain, &mut Flow::new(), None)?;
-            // Between nodes there are hollows that the mesh has not.
+            // Between nodes there are depressions that the mesh does not have.
             if let Some(depth) = depth {
                 field.fields.insert_values(names::LAKE_DEPTH.name, depth)?;
             }

@@ -9,11 +9,12 @@ use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Displaces the ground sideways by noise: straight things wind, circles become blots. Beyond the border lies its mirror image.
+/// Displaces the ground sideways by noise: straight lines bend and circles become irregular. Beyond the border the ground is
+/// mirrored.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Warp {
-    /// Displacement: it is rarely more than half of this, never more.
+    /// Greatest displacement. It is rarely more than half of this.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e7))]
     pub amplitude: Length,
     /// Length of the coarsest waves of the displacement.
@@ -25,7 +26,7 @@ pub struct Warp {
     /// Hurst exponent of the displacement: 1 is smooth, 0 is rough.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub hurst: f64,
-    /// How much of the displacement, 0 to 1; may vary in space: a mask.
+    /// Fraction of the displacement that is applied, 0 to 1; may vary in space, as a mask.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub amount: Varying<RatioDimension>,
 }

@@ -1,4 +1,4 @@
-//! One surface on another.
+//! Blending of two surfaces.
 
 use landform_core::grid::Grid;
 use landform_core::terrain::{HeightField, NodeSurface, Visit};
@@ -10,20 +10,20 @@ use serde::{Deserialize, Serialize};
 
 use super::{Faulting, Flat, GridParams, MidpointDisplacement, Noise, OnGrid, Shape, SpectralFbm, Surface};
 
-/// Puts another surface on the ground: another landscape of the recipe (`with = ["label"]`) or any of the generators on the
-/// landscape's own raster; added, or the higher or lower of the two; everywhere or where a mask says. Where the other landscape has no
-/// ground, this one stays as it is.
+/// Blends another surface with the ground: another landscape of the recipe (`with = ["label"]`), or any generator on the
+/// landscape's own raster. It is added or subtracted, replaces the ground, or the higher or lower of the two is kept; everywhere
+/// or within a mask. Where the other landscape has no ground, this one stays as it is.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Blend {
-    /// The other surface: a generator (`use`) and its parameters, without a grid. Noise, if nothing is given, not even `with`.
+    /// The other surface: a generator (`use`) and its parameters, without a grid. If neither it nor `with` is given, it is noise.
     pub layer: Option<Layer>,
     /// How the two are put together.
     pub mode: BlendMode,
-    /// How much of it, 0 (the ground as it was) to 1; may vary in space: a mask.
+    /// Fraction of the blend, from 0 (the ground as it was) to 1; may vary in space, as a mask.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub amount: Varying<RatioDimension>,
-    /// Higher and lower: height over which one passes into the other.
+    /// Higher and lower: height over which one surface passes into the other.
     #[schemars(extend("x-min" = 0.0))]
     pub softness: Length,
 }
@@ -85,7 +85,7 @@ impl Layer {
     }
 }
 
-/// What [`Blend`] asks of a generator.
+/// What [`Blend`] needs of a generator.
 trait LayerGenerator {
     fn on(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>>;
     fn check_layer(&self) -> Result<()>;
@@ -192,7 +192,7 @@ mod tests {
     use super::*;
     use landform_core::grid::Shape as GridShape;
     use landform_core::random::Seed;
-    use landform_core::terrain::Held;
+    use landform_core::terrain::Representation;
 
     fn blended(json: &str) -> Vec<f64> {
         let grid = Grid::new(GridShape::new(5, 5), [10.0, 10.0]).unwrap();

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{GridParams, OnGrid, generator_on_grid};
 
-/// Ground broken by straight faults, each lifting one side: many make Brownian ground (H = 1/2), few make blocks.
+/// Ground broken by straight faults, each of which lifts one side. Many faults make Brownian ground (H = 1/2), few make blocks.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Faulting {
@@ -24,7 +24,7 @@ pub struct Faulting {
     /// Number of faults.
     #[schemars(extend("x-min" = 1, "x-max" = 100_000))]
     pub faults: u32,
-    /// Width of the slope at a fault; 0 is a cliff.
+    /// Width of the slope at a fault. With 0 it is a cliff.
     #[schemars(extend("x-min" = 0.0))]
     pub width: Length,
 }

@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::GridParams;
 
-/// Ground in beds of rock that dip to a side, with loose layers such as soil on them. Rivers, creep and talus find each bed's own
-/// erodibility and angle of repose: mesas, cuestas and ledges follow.
+/// Ground in beds of rock that dip to a side, with loose layers such as soil on them. Each bed has its own erodibility and angle
+/// of repose, from which mesas, cuestas and ledges follow.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LayeredGround {
@@ -19,10 +19,10 @@ pub struct LayeredGround {
     pub grid: GridParams,
     /// Elevation of the surface, loose layers included; may vary in space.
     pub surface: Varying<LengthDimension>,
-    /// Beds from the top, repeated downwards: { material, thickness }. One rock without beds, if none are given.
+    /// Beds from the top, repeated downwards: { material, thickness }. If none are given, the ground is one rock without beds.
     pub beds: Vec<BedParams>,
-    /// Elevation of the upper face of the first bed, before it dips about the middle of the map; the highest ground if not given. Beds
-    /// are folded where it varies in space.
+    /// Elevation of the upper face of the first bed, before it dips about the middle of the map. If not given, it is the highest
+    /// ground. Beds are folded where it varies in space.
     pub top: Option<Varying<LengthDimension>>,
     /// Angle by which beds dip.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
@@ -135,7 +135,7 @@ impl Generator<HeightField> for LayeredGround {
             }
         });
         let depths = depths.collect::<Result<Vec<_>>>()?;
-        // Rock first: loose layers lift the surface to where it shall be.
+        // Rock first: loose layers raise the surface to its elevation.
         let rock = |i: usize| depths.iter().fold(surface.at(i), |z, (_, depth)| z - depth[i]);
         terrain = HeightField::new(terrain.grid().clone(), parallel::map(nodes, rock))?;
         let strata = self.strata(&terrain, context)?;

@@ -77,7 +77,7 @@ fn alone(generator: &impl OnGrid, context: &Context) -> Result<HeightField> {
     HeightField::new(grid, elevations)
 }
 
-/// What it needs.
+/// Memory that the generator needs.
 fn alone_estimate(generator: &impl OnGrid, context: &Context) -> Result<Estimate> {
     let grid = context.wanted(generator.grid().grid()?)?;
     let (nodes, extent) = (grid.len() as u64, grid.extent());

@@ -10,15 +10,16 @@ use serde::{Deserialize, Serialize};
 
 use super::{GridParams, OnGrid, generator_on_grid};
 
-/// Ground from octaves of noise. Waves are in metres: a finer cell adds detail and moves nothing.
+/// Ground from octaves of noise. Wavelengths are in metres: finer cells add detail and do not move the ground.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Noise {
     /// Extent and distance between nodes.
     pub grid: GridParams,
-    /// Elevation that noise of 0 stands for: the mean of plain sums.
+    /// Elevation at noise of 0: the mean of plain sums.
     pub elevation: Length,
-    /// Height above it that noise of 1 stands for. Plain sums rarely reach half of it; billows lie below, ridges above, multifractals may go beyond.
+    /// Height of noise of 1 above that elevation. Plain sums rarely reach half of it; billows lie below, ridges above,
+    /// multifractals may exceed it.
     #[schemars(extend("x-min" = 0.0))]
     pub amplitude: Length,
     /// Length of the coarsest waves.
@@ -30,10 +31,10 @@ pub struct Noise {
     /// Hurst exponent: each octave is lacunarity^-H times as high as the one before. 1 is smooth, 0 is rough.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub hurst: f64,
-    /// Each octave's waves are so many times shorter than those of the one before.
+    /// Factor by which the waves of each octave are shorter than those of the one before.
     #[schemars(extend("x-min" = 1.1, "x-max" = 10.0))]
     pub lacunarity: f64,
-    /// What is summed.
+    /// Noise function that is summed.
     pub basis: Basis,
     /// How octaves are put together.
     pub fractal: FractalKind,
@@ -115,9 +116,8 @@ impl OnGrid for Noise {
         let cols = grid.shape.cols;
         let mut elevations = vec![0.0; grid.len()];
         parallel::for_rows_mut(&mut elevations, cols, |row, out| {
-            let at = |col: usize| grid.position(row * cols + col);
-            let mut xs: Vec<f64> = (0..cols).map(|c| at(c)[0] / wave).collect();
-            let mut ys: Vec<f64> = (0..cols).map(|c| at(c)[1] / wave).collect();
+            let mut xs: Vec<f64> = (0..cols).map(|col| grid.x(col) / wave).collect();
+            let mut ys = vec![grid.y(row) / wave; cols];
             if warp > 0.0 {
                 let mut shift = [vec![0.0; cols], vec![0.0; cols]];
                 for (k, shift) in shift.iter_mut().enumerate() {

@@ -48,7 +48,7 @@ pub enum Form {
     Dome,
     /// A roof over both axes: high where |x| + |y| is small.
     Diamond,
-    /// A pyramid: high in the middle, falling to all four sides alike (1 - r of formulas).
+    /// A pyramid: high in the middle, falling equally to all four sides (1 - r of formulas).
     Radial,
 }
 

@@ -27,7 +27,7 @@ pub struct SpectralFbm {
     /// Hurst exponent: 1 is smooth, 0 is rough; the spectrum falls as k^-(2H+2).
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub hurst: f64,
-    /// Makes opposite sides equal, so that copies tile without a seam.
+    /// Whether opposite sides are equal, so that copies tile without a seam.
     pub periodic: bool,
 }
 

@@ -13,22 +13,22 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// An almost flat irregular mesh, ready for rivers: no direction is preferred, as on a raster.
+/// An almost flat irregular mesh for rivers. Unlike a raster it prefers no direction.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StreamGraph {
     /// Extent east and north.
     #[schemars(extend("x-above" = 0.0))]
     pub size: [Length; 2],
-    /// Number of nodes, to about 2 %; unless `spacing` is given.
+    /// Number of nodes, to about 2 %. It is not used if `spacing` is given.
     #[schemars(extend("x-min" = 12, "x-max" = 20_000_000, "x-role" = "count"))]
     pub nodes: usize,
     /// Least distance between nodes, instead of `nodes`.
     #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub spacing: Option<Length>,
-    /// Elevation that the ground starts from; also the base level of open sides.
+    /// Elevation of the ground at the start, which is also the base level of open sides.
     pub elevation: Length,
-    /// Height of the random jitter of inner nodes, from which the first rivers find their way.
+    /// Height of the random jitter of inner nodes, which decides the courses of the first rivers.
     #[schemars(extend("x-min" = 0.0))]
     pub roughness: Length,
     /// Sides over which water leaves; the others are divides.

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{GridParams, OnGrid, generator_on_grid};
 
-/// Ground that is painted or computed: from a picture, a raster, or a formula of x, y, u, v, r and noise().
+/// Ground from a picture, a raster, or a formula of x, y, u, v, r and noise().
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Surface {

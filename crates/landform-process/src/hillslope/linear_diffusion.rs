@@ -12,7 +12,8 @@
 //! D Δt is below a cell's area, growing with the square root of D Δt over it.
 //!
 //! # Limits
-//! All ground creeps alike, rock too; what is laid down on layered ground is soil. On a mesh faces of obtuse border triangles are dropped where their conductance is negative.
+//! All ground creeps alike, rock too. On layered ground the deposit is soil. On a mesh faces of obtuse border triangles are
+//! dropped where their conductance is negative.
 //!
 //! # Sources
 //! Culling (1960); Hestenes & Stiefel (1952).
@@ -31,7 +32,7 @@ use serde::{Deserialize, Serialize};
 const TOLERANCE: f64 = 1e-12;
 const MOST_ITERATIONS: usize = 20_000;
 
-/// Soil creep: ground moves downhill in proportion to its slope.
+/// Soil creep: ground moves downhill at a rate in proportion to its slope.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LinearDiffusion {

@@ -1,11 +1,12 @@
 //! Slip of loose slopes.
 //!
 //! # Model
-//! Where a slope is steeper than the talus angle, what is too high by the drop beyond it moves down: flux = c (z_i − z_j − d tan α) between
-//! neighbours, with c = 1/8 a round, so that it never overshoots.
+//! Where a slope is steeper than the talus angle, the excess drop moves down: flux = c (z_i − z_j − d tan α) between neighbours,
+//! with c = 1/8 a round, so that it never overshoots.
 //!
 //! # Method
-//! All neighbours at once; what one node loses is what another gains. What comes to rest on layered ground is gravel. **Cost** 20 ns a node and round.
+//! All neighbours at once; what one node loses, another gains. On layered ground the material that comes to rest is gravel.
+//! **Cost** 20 ns a node and round.
 //!
 //! # Sources
 //! Musgrave, Kolb & Mace (1989), thermal weathering.
@@ -23,21 +24,21 @@ use serde::{Deserialize, Serialize};
 
 /// Part of the excess that moves over a link in a round.
 const PART: f64 = 0.125;
-/// Talus angle where nothing is said, deg.
+/// Talus angle where none is given, deg.
 const USUAL_ANGLE: f64 = 34.0;
 /// 85 degrees.
 const STEEPEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
 
-/// Loose ground slips where it is steeper than its talus angle, and comes to rest below. Runs without a clock, or beside other processes, a
-/// round each step.
+/// Thermal erosion: loose ground slips where it is steeper than its talus angle, and comes to rest below. Runs without a clock,
+/// or beside other processes with one round a step.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ThermalErosion {
-    /// Steepest slope that the ground stands at; may vary in space. If not given, the angle of repose of what lies uppermost on
-    /// layered ground, and 34 deg on other ground.
+    /// Steepest slope that the ground stands at; may vary in space. If not given, it is the angle of repose of the uppermost
+    /// material on layered ground, and 34 deg on other ground.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Option<Varying<AngleDimension>>,
-    /// Rounds of slip, where there is no clock.
+    /// Number of rounds, if there is no clock.
     #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
     pub iterations: u64,
 }

@@ -1,4 +1,4 @@
-//! The fields that describe where water goes.
+//! The fields that describe drainage.
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::algo::outlets::fill_inland_water;
@@ -7,8 +7,8 @@ use landform_core::grid::{Domain, Status};
 use landform_core::terrain::NodeSurface;
 use landform_core::{Result, math, parallel};
 
-/// Routes flow over the terrain as it is and leaves drainage area, lake depth, receiver and basin as fields. With a sea, water at
-/// its level that it does not reach is a lake.
+/// Routes flow over the terrain as it is and adds drainage area, lake depth, receiver and basin as fields. With a sea, water at
+/// its level that is not connected to it is a lake.
 pub fn write_drainage_fields<T: NodeSurface>(
     terrain: &mut T,
     domain: &T::Domain,
@@ -40,7 +40,7 @@ pub fn write_drainage_fields<T: NodeSurface>(
 /// Area that χ refers to, m².
 const CHI_AREA: f64 = 1e6;
 
-/// Leaves the slope along the flow and χ as fields; `flow` is as [`write_drainage_fields`] left it. Sources: Perron & Royden (2013)
+/// Adds the slope along the flow and χ as fields; `flow` is as [`write_drainage_fields`] left it. Sources: Perron & Royden (2013)
 /// for χ.
 pub fn write_channel_steepness_fields<T: NodeSurface>(
     terrain: &mut T,

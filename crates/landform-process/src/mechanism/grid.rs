@@ -25,7 +25,7 @@ impl Default for GridParams {
 }
 
 impl GridParams {
-    /// Words of earlier recipes, in which a generator had both itself.
+    /// Keys of earlier recipes, in which a generator had both itself.
     pub const RENAMED: &'static [(&'static str, &'static str)] =
         &[("size", "grid.size"), ("cell_size", "grid.cell_size")];
 
@@ -37,7 +37,7 @@ impl GridParams {
     /// The raster.
     ///
     /// # Errors
-    /// As [`Grid::covering`].
+    /// Where [`Grid::covering`] fails.
     pub fn grid(&self) -> Result<Grid> {
         Grid::covering(self.size.map(Length::si), self.cell_size.si())
     }
@@ -45,7 +45,7 @@ impl GridParams {
     /// Refuses sizes that are not positive.
     ///
     /// # Errors
-    /// As [`Grid::covering`].
+    /// Where [`Grid::covering`] fails.
     pub fn check(&self) -> Result<()> {
         self.grid().map(drop)
     }

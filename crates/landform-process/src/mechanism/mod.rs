@@ -1,4 +1,4 @@
-//! What more than one phenomenon uses, and is none of its own.
+//! Mechanisms that several phenomena share.
 
 mod drainage;
 mod grid;

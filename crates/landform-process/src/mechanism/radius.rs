@@ -1,13 +1,14 @@
-//! Radii that a map can hold.
+//! Limit of radii by the size of a map.
 
 use landform_core::grid::Grid;
 use landform_core::units::Length;
 use landform_core::{Error, Result, math};
 
-/// Refuses a radius beyond the diagonal of a map: what an event reaches is listed once for all, and would not fit in memory.
+/// Refuses a radius beyond the diagonal of a map: the nodes that an event reaches are listed once, and the list would not fit in
+/// memory.
 ///
 /// # Errors
-/// [`Error::Parameter`] with the diagonal.
+/// [`Error::Parameter`], which names the diagonal, if the radius is longer than it.
 pub fn within_map(name: &str, radius: Length, grid: &Grid) -> Result<()> {
     let most = math::hypot(grid.shape.cols as f64 * grid.spacing[0], grid.shape.rows as f64 * grid.spacing[1]);
     if radius.si() > most {

@@ -1,9 +1,9 @@
 //! Wind over a raster: lines swept downwind.
 //!
 //! # Method
-//! Rows (or columns, whichever the wind crosses more squarely) are visited in the order in which the wind reaches them. What a node gets
-//! comes from the place upwind of it on the line before, linear between the two nodes beside that place. On a torus the sweep starts as many
-//! lines before the seam as a shadow reaches.
+//! Rows (or columns, whichever the wind crosses more squarely) are visited in the order in which the wind reaches them. A node
+//! takes the value of the point upwind of it on the line before, linear between the two nodes beside that point. On a torus the
+//! sweep starts as many lines before the seam as a shadow reaches.
 
 use landform_core::grid::Shape;
 use landform_core::parallel;
@@ -52,7 +52,8 @@ impl WindScan {
         if self.by_cols { self.shape.index(at, line) } else { self.shape.index(line, at) }
     }
 
-    /// Whole nodes that the wind drifts along the line on its way into `line`: of several lines they add up to the true direction.
+    /// Whole nodes that the wind drifts along the line on its way into `line`: of several lines they add up to the true
+    /// direction.
     pub fn lateral_shift(&self, line: usize) -> i64 {
         let upto = |k: usize| (k as f64 * self.drift).round() as i64;
         upto(line) - upto(line.wrapping_sub(1).min(line))
@@ -75,9 +76,9 @@ impl WindScan {
         self.torus
     }
 
-    /// Height of the air that the ground upwind shelters, for every node: the highest of upwind ground less `drop` for every line that
-    /// the wind has crossed since, and no lower than the ground itself. A node lies in shadow where this is above its ground. NaN ground casts
-    /// no shadow. **Cost** O(n), a few ns a node.
+    /// Height of the air that the ground upwind shelters, for every node: the highest of upwind ground less `drop` for every line
+    /// that the wind has crossed since, and no lower than the ground itself. A node lies in shadow where this is above its
+    /// ground. NaN ground casts no shadow. **Cost** O(n), a few ns a node.
     pub fn shelter(&self, height: impl Fn(usize) -> f32 + Sync, drop: f32, scratch: &mut Vec<f32>, out: &mut [f32]) {
         let (lines, length) = self.scan_lines();
         // Heights with lines one after the other, so that sweeping reads memory as it lies.

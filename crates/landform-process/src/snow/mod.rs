@@ -1,24 +1,25 @@
 //! Snow.
 //!
 //! # Model
-//! A winter of storms. In each, snow falls: all of it above the snow line, less below, none a band further down; more with height. Wind
-//! sweeps it: it takes up snow until it carries as much as its strength lets it, and lays it down where it slackens, in the lee of ridges
-//! and in hollows. What is too much for its slope slides: the steeper, the less stays, and it comes to rest where the ground levels out.
+//! A winter is a series of storms. In each, snow falls: in full above the snow line, less below it, none a band further down.
+//! Snowfall grows with height. Wind takes up snow until it carries as much as its strength allows, and deposits it where it
+//! slackens, in the lee of ridges and in hollows. Snow that its slope cannot hold slides: the steeper the slope, the less stays.
+//! It comes to rest where the ground levels out.
 //!
 //! # Method
-//! Strength of the wind from the shelter of the ground upwind (a shadow at 15 degrees) and from its slope along the wind, swept downwind
-//! with what it carries; what a line passes on is split between the two nodes beside where it arrives, so snow is kept to rounding.
-//! Slides visit nodes from the highest surface down, once a storm; what does not hold goes to lower neighbours in proportion to slope.
-//! **Cost** O(n log n) a storm.
+//! Strength of the wind from the shelter of the ground upwind (a shadow at 15 degrees) and from its slope along the wind, swept
+//! downwind with what it carries; what a line passes on is split between the two nodes beside where it arrives, so snow is
+//! conserved to rounding. Slides visit nodes from the highest surface down, once a storm; snow that does not hold goes to lower
+//! neighbours in proportion to slope. **Cost** O(n log n) a storm.
 //!
 //! # Limits
-//! Snow is one depth of one density; elevation and volumes count its surface. Rounds are storms and stand for no time: with a clock, each
-//! step is a storm. The sea does not melt what falls on it.
+//! Snow is one depth of one density; elevation and volumes count its surface. Rounds are storms and have no length in time: with
+//! a clock, each step is a storm. Snow that falls on the sea does not melt.
 //!
 //! # Sources
-//! Bernhardt & Schulz (2010), SnowSlide, for holding depths that fall with slope; Winstral, Elder & Davis (2002) for shelter by upwind
-//! ground; Koh (2002), 2.3, who planned all this. How repose depends on wetness is ours: fresh dry snow holds to 38 degrees, moist snow
-//! sticks to 50, soaked snow runs at 20.
+//! Bernhardt & Schulz (2010), SnowSlide, for holding depths that fall with slope; Winstral, Elder & Davis (2002) for shelter by
+//! upwind ground; Koh (2002), 2.3, who planned all this. How repose depends on wetness is ours: fresh dry snow holds to 38
+//! degrees, moist snow sticks to 50, soaked snow runs at 20.
 //!
 //! # Checked by
 //! `tests`: mass, level plains stay level, less on steeper ground, lee against windward, spread of depths.
@@ -64,40 +65,41 @@ landform_core::stages! {
     process Snow where HeightField;
 }
 
-/// A winter's snow: falls with height, drifts with the wind, slides off steep ground. Leaves its depth. Runs without a clock, one round a
-/// storm.
+/// A winter's snow: it grows with height, drifts with the wind and slides off steep ground. Its depth is a layer on the ground.
+/// Runs without a clock; one round is a storm.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Snow {
-    /// Depth of snow that falls in all, above the snow line.
+    /// Total depth of snow that falls above the snow line.
     #[schemars(extend("x-min" = 0.0))]
     pub snowfall: Varying<LengthDimension>,
-    /// Storms that it falls in.
+    /// Number of storms that bring it.
     #[schemars(extend("x-min" = 1, "x-max" = 10000))]
     pub iterations: u64,
-    /// Elevation above which all that falls is snow. Where the environment's temperature is 0 degrees Celsius, if not given; else 0 m.
+    /// Elevation above which all precipitation is snow. If not given, it is the elevation at which the environment's temperature
+    /// is 0 degrees Celsius, or else 0 m.
     pub snow_line: Option<Length>,
-    /// Height below the snow line at which none is any more.
+    /// Height below the snow line at which no snow falls any more.
     #[schemars(extend("x-min" = 0.0))]
     pub band: Length,
-    /// Part by which snowfall grows for each km above the snow line.
+    /// Fraction by which snowfall grows for each km above the snow line.
     #[schemars(extend("x-min" = 0.0))]
     pub growth: f64,
-    /// Depth that melts in the winter at the foot of the band, and nothing at the snow line.
+    /// Depth that melts in the winter at the foot of the band. Nothing melts at the snow line.
     #[schemars(extend("x-min" = 0.0))]
     pub melt: Length,
-    /// Winds and the part of the storms that each brings.
+    /// Winds, and the fraction of the storms that each brings.
     pub wind: Vec<Wind>,
-    /// Part of a storm's snow that open ground gives to the wind, at most.
+    /// Greatest fraction of a storm's snow that the wind takes from open ground.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub drift: f64,
-    /// Distance over which wind loads up and lets go.
+    /// Distance over which the wind takes up its load and deposits it.
     #[schemars(extend("x-above" = 0.0))]
     pub carry: Length,
     /// How wet the snow is: 0 dry, 0.3 moist and sticking, 1 soaked.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub wetness: Ratio,
-    /// Angle below which wind does not reach down behind a rise.
+    /// Angle of the wind shadow behind a rise: the wind does not reach the ground below it.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub shadow: Angle,
 }
@@ -144,7 +146,7 @@ impl Params for Snow {
 /// The layer that falls.
 const SNOW: &str = "snow";
 
-/// What falls, and by which draws.
+/// Snowfall, and the seed of its random draws.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
     snowfall: Resolved,
@@ -270,7 +272,8 @@ impl Snow {
         let (lines, length) = sweep.scan_lines();
         let (mut load, mut next) = (vec![0.0; length], vec![0.0; length]);
         let mut left = 0.0;
-        // How much of what arrives at a node came from nodes of the map; the rest is wind from beyond, which has its load already.
+        // How much of what arrives at a node came from nodes of the map; the rest is wind from beyond, which has its load
+        // already.
         let (mut known, mut next_known) = (vec![0.0; length], vec![0.0; length]);
         for line in 0..lines {
             next.fill(0.0);

@@ -18,10 +18,10 @@ pub(super) fn sweep<D: Domain>(domain: &D, flow: &Flow, law: &Law, rock: &Rock, 
         if !(old > base) {
             return old;
         }
-        // Roots and divisions hide behind the wait for memory: a pass of their own would cost more, even on two threads.
+        // Roots and divisions overlap with the wait for memory: a pass of their own would cost more, even on two threads.
         let (length, erodibility) = (domain.distance(i, slots[i]), rock.erodibility.at(i));
         let strength = law.strength(erodibility, area[i], length);
-        // A threshold is a rate that the ground is spared.
+        // The threshold reduces the rate of lowering.
         let spared = law.threshold * erodibility * law.dt;
         let worn = law.worn(old + spared - base, strength).min(old - base);
         base + law.standing(worn, law.greatest_slope * length, length).0

@@ -1,8 +1,8 @@
-//! The law of one step at one node: what the river leaves of a drop, and what the slope can stand.
+//! The law of one step at one node: the drop that the river leaves, and the drop at which the slope is stable.
 //!
 //! # Sources
 //! Braun & Willett (2013): eq. 22 for n = 1, eqs. 23–24 (Newton) otherwise. Bell (thesis), eq. 3.7, for the talus slope: the
-//! seed's text is a rate law, taken here where a rate is given (implicitly, after the river's part); its code is a clamp.
+//! thesis' text is a rate law, used here where a rate is given (implicitly, after the river's part); its code is a clamp.
 
 use landform_core::math;
 
@@ -18,7 +18,7 @@ pub(super) struct Law {
     pub(super) sea_level: f64,
     /// Deposition coefficient G.
     pub(super) deposition: f64,
-    /// What A^m S^n must exceed.
+    /// Value that A^m S^n must exceed.
     pub(super) threshold: f64,
     pub(super) dt: f64,
 }
@@ -31,13 +31,14 @@ impl Law {
         strength / if self.slope_exponent == 1.0 { length } else { math::pow(length, self.slope_exponent) }
     }
 
-    /// What a drop of `drop` from a node to its receiver wears down to.
+    /// The drop from a node to its receiver that erosion leaves of `drop`.
     #[inline]
     pub(super) fn worn(&self, drop: f64, strength: f64) -> f64 {
         if self.slope_exponent == 1.0 { drop / (1.0 + strength) } else { newton(drop, strength, self.slope_exponent) }
     }
 
-    /// What stays of a drop over `length` where ground stands up to `limit` above the receiver, and whether that, not the river, decides.
+    /// The drop over `length` that is left where ground stands up to `limit` above the receiver, and whether this limit, not the
+    /// river, decides.
     #[inline]
     pub(super) fn standing(&self, worn: f64, limit: f64, length: f64) -> (f64, bool) {
         if worn > limit { (worn + (limit - worn) * self.slide(length), true) } else { (worn, false) }

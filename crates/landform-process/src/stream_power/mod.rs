@@ -1,7 +1,7 @@
 //! Stream-power erosion and deposition.
 //!
-//! Rivers lower their beds at a rate set by drainage area and slope, and may lay down again what they carry; hillslopes cannot
-//! stand steeper than the talus angle.
+//! Rivers lower their beds at a rate set by drainage area and slope, and may deposit the sediment that they carry. Hillslopes
+//! cannot stand steeper than the talus angle.
 //!
 //! # Model
 //! ∂z/∂t = −K Aᵐ Sⁿ + (G/A) Q, with S the slope to the receiver and Q the sediment flux; base levels are held.
@@ -22,20 +22,20 @@
 //! space, stable for any Δt, O(n). Ground under a lake's surface, which stands at or below its receiver, is left alone.
 //! With deposition, one linear system on the tree of rivers ([`yuan_2019`]).
 //!
-//! On layered ground a step wears through strata one after the other, each with its own erodibility, and slopes stand at the angle of
-//! repose of each stratum ([`rock`]): resistant beds become ledges and caps.
+//! On layered ground a step wears through strata one after the other, each with its own erodibility, and slopes stand at the
+//! angle of repose of each stratum ([`rock`]): resistant beds become ledges and caps.
 //!
-//! With outlets "sea" every node at or under sea level at the start of a step is an outlet in it; it is not held, so that
-//! uplift and subsidence move the shore, and rivers end at the surface of the water, not at its floor.
+//! With outlets "sea" every node at or under sea level at the start of a step is an outlet in that step. Such a node is not held,
+//! so that uplift and subsidence move the shore. Rivers end at the surface of the water, not at its floor.
 //!
 //! # Limits
-//! One receiver a node (drainage area alone can be shared). What reaches the sea or the border leaves the domain. On a raster
-//! drainage area follows eight directions.
+//! Each node has one receiver (only drainage area can be shared). Sediment that reaches the sea or the border leaves the domain.
+//! On a raster drainage area follows eight directions.
 //!
 //! # Sources
 //! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Yuan et al. (2019) for deposition; Bell
-//! (thesis), eqs. 3.5–3.7. The seed's listing updates children from the receiver's old elevation, which is not the scheme
-//! that it states (validation notes 3.3).
+//! (thesis), eqs. 3.5–3.7. The thesis' listing updates children from the receiver's old elevation, which is not the scheme that
+//! it states (validation notes 3.3).
 //!
 //! # Checked by
 //! `tests`: slope–area at every node (SP1, SP2), χ-linearity (SP3), the river of Hack's law (SP4), knickpoints (SP5), z ∝ U/K
@@ -283,7 +283,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
     }
 }
 
-/// What rivers lay down.
+/// The layer that rivers deposit.
 const LAID: Layer = Layer::Surface("sediment");
 
 fn the_sea_is_gone(level: f64, at: &Step) -> Error {
@@ -349,7 +349,8 @@ fn rates<D: Domain>(domain: &D, before: &mut [f64], after: &[f64], dt: f64) -> f
     pieces.into_iter().sum()
 }
 
-/// Puts base levels back to their elevation, `risen` since the start; what was above is carried away, what was below is supplied.
+/// Puts base levels back to their elevation, `risen` since the start: material above it is carried away, material below it is
+/// supplied.
 fn hold_base_level<D: Domain>(z: &mut [f64], domain: &D, base: &[(u32, f64)], risen: f64) -> Change {
     let mut change = Change::default();
     for &(node, level) in base {

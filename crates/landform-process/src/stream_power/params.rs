@@ -1,4 +1,4 @@
-//! The words of stream power.
+//! Parameters of stream power.
 
 use landform_core::algo::flow::Descent;
 use landform_core::units::{Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension};
@@ -9,14 +9,14 @@ use serde::{Deserialize, Serialize};
 
 use super::law::Law;
 
-/// Rivers that cut their beds, and may lay down again what they carry: dz/dt = -k A^m S^n + G Q/A, with lakes that spill over
-/// their lowest pass and a sea that comes and goes.
+/// Stream-power erosion: rivers cut their beds and may deposit sediment, dz/dt = -k A^m S^n + G Q/A. Lakes spill over their
+/// lowest pass; the sea may rise and fall.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StreamPower {
     /// Erodibility k of the rock; may vary in space or change in time. Its true unit is m^(1-2m)/yr (for slope exponent 1): it is
     /// written 1/yr with lengths in metres, and a bare number is read the same way. If not given, each material of layered ground
-    /// has its own, and other ground 2e-6 1/yr. Loose layers always have their own.
+    /// has its own erodibility, and other ground has 2e-6 1/yr. Loose layers always have their own.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e3))]
     pub erodibility: Option<Varying<ErodibilityDimension>>,
     /// Area exponent m; m/n is the concavity of river profiles.
@@ -25,41 +25,42 @@ pub struct StreamPower {
     /// Slope exponent n.
     #[schemars(extend("x-min" = 0.5, "x-max" = 4.0))]
     pub slope_exponent: f64,
-    /// Steepest slope that ground can stand at. If not given, each material of layered ground stands at its own angle of repose, and
-    /// other ground at any.
+    /// Steepest slope that ground can stand at. If not given, each material of layered ground stands at its own angle of repose,
+    /// and other ground has no limit.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Option<Angle>,
-    /// Speed at which slopes above the talus angle give way, per unit of slope in excess; at once if not given.
+    /// Speed at which slopes above the talus angle are lowered, per unit of slope in excess. If not given, they are lowered at
+    /// once.
     #[schemars(extend("x-above" = 0.0))]
     pub talus_relaxation: Option<Rate>,
-    /// Deposition coefficient G of Yuan et al.: sediment is laid down again as G times the flux over the drainage area.
-    /// 0 for rivers that carry everything away; rivers on sediment have about 0.2 to 2.
+    /// Deposition coefficient G of Yuan et al.: sediment is deposited as G times the flux over the drainage area. With 0 rivers
+    /// carry everything away; rivers on sediment have about 0.2 to 2.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100.0))]
     pub deposition: f64,
-    /// Rainfall; area is weighted by rainfall over its mean, and the discharge of rivers follows from it. As the environment has it,
-    /// if not given; else uniform.
+    /// Rainfall. Drainage area is weighted by rainfall over its mean, and the discharge of rivers follows from it. If not given,
+    /// it is the environment's rainfall, or else uniform.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Varying<RateDimension>>,
-    /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low points of the border),
-    /// "sea" (every node at or under `sea_level`, as it comes and goes), a list of sides such as ["south"], parts of the
-    /// border by a map ({ border_where = map, below = 0.33 }), or any nodes by a map ({ mask = map }). As the landscape has
-    /// it, if not given.
+    /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low points of the border), "sea"
+    /// (every node at or under `sea_level`, as the sea rises and falls), a list of sides such as ["south"], parts of the border
+    /// by a map ({ border_where = map, below = 0.33 }), or any nodes by a map ({ mask = map }). If not given, the outlets of the
+    /// landscape are used.
     pub outlets: Option<Outlets>,
     /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or { mean = "0 m", amplitude =
-    /// "60 m", period = "100 kyr" }. With outlets "sea" it is where rivers end, elsewhere base levels rise and fall with it. As the
-    /// environment has it, if not given; else 0 m.
+    /// "60 m", period = "100 kyr" }. With outlets "sea" rivers end at it; with other outlets base levels rise and fall with it.
+    /// If not given, it is the environment's sea level, or else 0 m.
     pub sea_level: Option<Changing<LengthDimension>>,
-    /// What A^m S^n must exceed before rivers cut: k max(0, A^m S^n - threshold), in m^(2m). With creep beside it, hillslopes stay smooth
-    /// and valleys keep their distance.
+    /// Value that A^m S^n must exceed before rivers cut: k max(0, A^m S^n - threshold), in m^(2m). Together with creep it keeps
+    /// hillslopes smooth and valleys apart.
     #[schemars(extend("x-min" = 0.0))]
     pub threshold: f64,
-    /// Whether A is the area per width of a cell (m), as for water that runs in sheets, rather than the area (m2). With `multiple_flow`
-    /// the spacing of valleys then does not depend on the cells.
+    /// Whether A is the drainage area per width of a cell (m), as for sheet flow, rather than the area (m2). With `multiple_flow`
+    /// the spacing of valleys then does not depend on the size of cells.
     pub specific_area: bool,
     /// Which lower neighbour receives a node's water.
     pub descent: Descent,
-    /// Shares water among all lower neighbours, by slope to this power (Freeman: 1.1), for drainage area; all to one if not
-    /// given.
+    /// Power of slope (Freeman: 1.1) by which drainage area is shared among all lower neighbours. If not given, all of it goes to
+    /// one receiver.
     #[schemars(extend("x-min" = 0.0, "x-max" = 20.0))]
     pub multiple_flow: Option<f64>,
 }
@@ -156,7 +157,7 @@ impl StreamPower {
         level.or(self.ends_in_sea().then_some(0.0))
     }
 
-    /// Erodibility where nothing is said, m^(1-2m)/s.
+    /// Erodibility where none is given, m^(1-2m)/s.
     pub(super) fn usual_erodibility() -> Erodibility {
         Erodibility::of(2e-6)
     }

@@ -1,4 +1,4 @@
-//! How rock and loose layers answer to rivers.
+//! Erodibility and stable slope of rock and loose layers.
 
 use landform_core::algo::flow::Flow;
 use landform_core::grid::Domain;
@@ -10,7 +10,7 @@ use super::law::Law;
 /// Erodibility and steepest slope of every node.
 #[derive(Clone, Copy)]
 pub(super) struct Rock<'a> {
-    /// Erodibility by the parameter, m^(1-2m)/s; on layered ground that of rock, if it is given.
+    /// Erodibility of the parameter, m^(1-2m)/s; on layered ground that of rock, if it is given.
     pub(super) erodibility: &'a Resolved,
     /// What the ground is made of.
     pub(super) layers: Option<&'a Layers>,
@@ -49,12 +49,12 @@ impl Rock<'_> {
         }
     }
 
-    /// What a drop over `base` wears down to in the step, through strata of different erodibility.
+    /// The drop over `base` that erosion leaves in the step, through strata of different erodibility.
     ///
-    /// The implicit step asks for the elevation at which ∫ dz/K from there up to the old surface equals Δt (Aᵐ Sⁿ − threshold), with S the slope
-    /// at the end; with one K it is the plain one. Strata above the end only add to the left-hand side.
+    /// The implicit step asks for the elevation at which ∫ dz/K from there up to the old surface equals Δt (Aᵐ Sⁿ − threshold),
+    /// with S the slope at the end; with one K it is the plain one. Strata above the end only add to the left-hand side.
     fn worn(&self, law: &Law, layers: &Layers, node: usize, z: f64, base: f64, (area, length): (f64, f64)) -> f64 {
-        // ∫ dz/K over the strata passed, and what the threshold spares, s.
+        // ∫ dz/K over the strata passed, and the time that the threshold spares, s.
         let (mut top, mut passed) = (z, law.threshold * law.dt);
         for stratum in layers.column(node, z) {
             let is_loose = layers.loose().any(|l| l == stratum.material.name);

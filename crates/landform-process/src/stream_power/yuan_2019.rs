@@ -1,22 +1,23 @@
 //! Erosion and deposition in one implicit step.
 //!
 //! # Model
-//! ∂z/∂t = U − K Aᵐ Sⁿ + (G/A) Q, with Q the sediment that leaves a node: all that was worn off upstream, its own included,
-//! less what was laid down there.
+//! ∂z/∂t = U − K Aᵐ Sⁿ + (G/A) Q, with Q the sediment that leaves a node: all that was eroded upstream, its own included, less
+//! the deposits there.
 //!
 //! # Method
 //! Let d be the net lowering of a node in the step. Its equation holds the receiver's d (through the slope) and its donors' d
-//! (through Q): a linear system on a tree, for n = 1. It is solved *directly*: from the leaves down, the flux out of a
-//! subtree is a linear function of the lowering of the node below, Q = α + β d_r; from the outlets up the d follow. O(n),
-//! without the iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up and the
-//! two passes repeated until no decision changes (a few rounds): slopes at the talus angle; floors of lakes, where nothing is worn off and
-//! fill stops at the water's surface; and, for n ≠ 1, the tangent of the law.
+//! (through Q): a linear system on a tree, for n = 1. It is solved *directly*: from the leaves down, the flux out of a subtree is
+//! a linear function of the lowering of the node below, Q = α + β d_r; from the outlets up the d follow. O(n), without the
+//! iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up and the two passes repeated
+//! until no decision changes (a few rounds): slopes at the talus angle; floors of lakes, where nothing is worn off and fill stops
+//! at the water's surface; and, for n ≠ 1, the tangent of the law.
 //!
 //! Volumes are conserved by construction: Q is made of the d.
 //!
 //! # Sources
 //! Yuan, Braun, Guerit, Rouby & Cordonnier (2019), eqs. 5–9, who exclude the node's own cell from Q; here it is included, so that
-//! the steady slope is ((1 + G) U/K)^(1/n) A^(−m/n) exactly (validation notes 2.19). Davy & Lague (2009) for the ξ–q law behind it.
+//! the steady slope is ((1 + G) U/K)^(1/n) A^(−m/n) exactly (validation notes 2.19). Davy & Lague (2009) for the ξ–q law behind
+//! it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -31,14 +32,14 @@ use super::rock::Rock;
 const MOST_ROUNDS: usize = 60;
 const TOLERANCE: f64 = 1e-11;
 
-/// What a node does in the step.
+/// State of a node in the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Regime {
-    /// The river wears and lays down.
+    /// The river erodes and deposits.
     River,
     /// The slope above the receiver is at, or on its way to, the talus slope.
     Talus,
-    /// Under water: only laying down.
+    /// Under water: deposition only.
     Lake,
     /// Filled, or worn, to the surface of the water.
     Filled,
@@ -70,7 +71,7 @@ struct Node {
 }
 
 impl Sediment {
-    /// Wears and lays down over `z`; `area` is drainage area.
+    /// Erodes and deposits over `z`; `area` is drainage area.
     pub(super) fn sweep<D: Domain>(
         &mut self,
         domain: &D,

@@ -1,16 +1,16 @@
 //! Koh's stream automaton.
 //!
 //! # Model
-//! A pass floods the land: every cell has a unit of water. In each step water moves to the lowest neighbour and takes a unit of height with
-//! it; in hollows it is absorbed. The pass ends when no water is left.
+//! A pass floods the land: every cell gets a unit of water. In each step water moves to the lowest neighbour and takes a unit of
+//! height with it; pits absorb it. The pass ends when no water is left.
 //!
 //! # Method
-//! All cells at once, from the heights at the start of the step. A cell loses at most half of its drop: by a whole unit it could fall below
-//! its neighbour, and both would drill for ever (the seed's rule, mended). Water leaves over open sides.
+//! All cells at once, from the heights at the start of the step. A cell loses at most half of its drop. (By Koh's own rule it
+//! loses a whole unit: it could fall below its neighbour, and both would be lowered for ever.) Water leaves over open sides.
 //!
 //! # Limits
-//! Water is there or not: where flows meet they are one unit, so a cell wears by the length of the way above it, not by its area. With
-//! `counted`, units add up.
+//! A cell has water or none: flows that meet become one unit. So the erosion of a cell follows the length of the path above it,
+//! not its drainage area. With `counted`, units add up.
 //!
 //! # Sources
 //! Koh (2002), 5.1, figures 9 to 13 (the softness map).
@@ -34,25 +34,25 @@ landform_core::stages! {
     process StreamAutomaton where HeightField;
 }
 
-/// Gullies by the simplest rule: flooded land, water that moves to the lowest neighbour and takes some height along. Runs without a clock,
-/// one round a flooding.
+/// Gullies by a simple automaton: the land is flooded, and water moves to the lowest neighbour and takes some height with it.
+/// Runs without a clock; one round is a flooding.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StreamAutomaton {
-    /// Floodings.
+    /// Number of floodings.
     #[schemars(extend("x-min" = 1, "x-max" = 100_000))]
     pub iterations: u64,
     /// Height that a unit of water takes from a cell it leaves.
     #[schemars(extend("x-above" = 0.0))]
     pub unit: Length,
-    /// How easily the ground gives way, a factor on the unit; may vary in space.
+    /// Factor on the unit: how easily the ground erodes; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub softness: Varying<RatioDimension>,
     /// Whether units of water that meet add up.
     pub counted: bool,
-    /// Whether the whole land is flooded, or `springs` alone bring water.
+    /// Whether the whole land is flooded; otherwise only `springs` bring water.
     pub flood: bool,
-    /// Places where water is added in every step of the first part of a pass.
+    /// Positions where water is added in every step of the first part of a pass.
     pub springs: Vec<[Length; 2]>,
     /// Steps of a pass in which springs run.
     #[schemars(extend("x-min" = 0, "x-max" = 1_000_000))]
@@ -150,7 +150,7 @@ impl StreamAutomaton {
             } else if wet.is_empty() {
                 break;
             }
-            // Everyone looks before anyone moves.
+            // All cells choose before any water moves.
             let moves: Vec<Option<(usize, f64)>> = parallel::map(wet.len(), |k| {
                 let i = wet[k];
                 let lowest =

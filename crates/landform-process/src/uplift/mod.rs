@@ -4,10 +4,10 @@
 //! ∂z/∂t = U wherever the ground is not held at base level.
 //!
 //! # Method
-//! Explicit; a rate that changes in time acts by its mean over each step. O(n). Beds of rock move with the ground.
+//! Explicit. A rate that changes in time acts by its mean over each step. Beds of rock move with the ground. O(n).
 //!
 //! # Limits
-//! Vertical only. A negative rate subsides.
+//! Vertical only. With a negative rate the ground subsides.
 //!
 //! # Checked by
 //! `tests`, and by the steady states of `stream_power`.
@@ -47,7 +47,7 @@ landform_core::stages! {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Uplift {
-    /// Rate of uplift; may vary in space or change in time, negative where the ground subsides.
+    /// Rate of uplift; may vary in space or change in time. It is negative where the ground subsides.
     pub rate: Varying<RateDimension>,
 }
 
@@ -67,7 +67,7 @@ impl Params for Uplift {
     }
 }
 
-/// Rates, and as scratch where they act.
+/// Rates, and scratch for the nodes that they raise.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
     rate: Resolved,

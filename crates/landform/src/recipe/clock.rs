@@ -11,35 +11,37 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Clock {
-    /// Length of a step; must be given, unless `refine` is: then 1 Gyr.
+    /// Length of a step. It must be given, unless `refine` is given: then it is 1 Gyr.
     #[schemars(extend("x-min" = 0.0))]
     pub dt: Duration,
-    /// Time to run; or give `until` or `iterations`.
+    /// Time to run. Instead, `until` or `iterations` may be given.
     #[schemars(extend("x-min" = 0.0))]
     pub duration: Option<Duration>,
-    /// "steady": stop when the greatest change of a step is at most `tolerance` times what uplift alone would have raised (or
-    /// times the relief, where uplift in a long step would have raised more).
+    /// "steady": the run stops when the greatest change of a step is at most `tolerance` times what uplift alone would have
+    /// raised (or times the relief, where uplift in a long step would have raised more).
     pub until: Option<Until>,
-    /// See `until`; 0 waits until not a bit changes (some runs end in a cycle of the last bit, which 1e-12 takes as steady).
+    /// Tolerance of `until`. With 0 the run stops when no bit changes (some runs end in a cycle of the last bit, which 1e-12
+    /// takes as steady).
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub tolerance: f64,
-    /// Most steps; 10,000 for a run until steady, if not given.
+    /// Greatest number of steps. If not given, it is 10,000 for a run until steady.
     #[schemars(extend("x-min" = 1))]
     pub iterations: Option<u64>,
-    /// Coarser levels, each with a quarter of the nodes, that are made steady first, each from the one before: the finest then
-    /// needs tens of steps rather than hundreds. With `until = "steady"` alone, and a sea level that does not change.
+    /// Number of coarser levels, each with a quarter of the nodes, that are made steady first, each from the one before. The
+    /// finest level then needs tens of steps rather than hundreds. It needs `until = "steady"` alone, and a sea level that does
+    /// not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
-    /// Whether the clock counts rounds that stand for no time.
+    /// Whether the clock counts rounds that have no length in time.
     #[serde(skip)]
     pub timeless: bool,
 }
 
-/// What to wait for.
+/// Condition that ends a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Until {
-    /// Nothing changes any more.
+    /// The terrain is steady.
     Steady,
 }
 
@@ -58,7 +60,7 @@ impl Default for Clock {
 }
 
 impl Clock {
-    /// Words of earlier recipes.
+    /// Keys of earlier recipes.
     pub(super) const RENAMED: &'static [(&'static str, &'static str)] = &[("max_steps", "iterations")];
 
     /// The clock of a process that counts its own rounds.

@@ -16,7 +16,7 @@ use super::stages::{stage, stages};
 use super::tree::{Node, Value, place};
 use super::{Clock, Watch};
 
-/// The word for several processes on one clock.
+/// The name of the stage with several processes on one clock.
 pub(super) const EVOLVE: &str = "evolve";
 
 /// A stage of a recipe.
@@ -28,7 +28,7 @@ pub(super) struct Entry {
     pub(super) label: Option<String>,
     /// Label of the stage that it starts from.
     pub(super) from: Option<String>,
-    /// Labels of stages whose terrains it is given as well.
+    /// Labels of other stages whose terrains it gets.
     pub(super) with: Vec<String>,
     /// Seed.
     pub(super) seed: Seed,
@@ -53,12 +53,12 @@ pub(super) struct Evolve {
     pub(super) clock: Clock,
     /// The processes.
     pub(super) parts: Vec<ReadStage>,
-    /// What is written on the way.
+    /// Files that are written on the way.
     pub(super) watch: Option<Watch>,
 }
 
 impl Work {
-    /// What is written while processes run.
+    /// Files that are written while processes run.
     pub(super) fn watch(&self) -> Option<&Watch> {
         match self {
             Self::Evolve(evolve) => evolve.watch.as_ref(),
@@ -74,7 +74,7 @@ impl Work {
         }
     }
 
-    /// What stands first: what the whole is for.
+    /// The verb of the stage, by its first part.
     pub(super) fn verb(&self) -> Verb {
         match self {
             Self::Once(stage) => stage.stage().verb,
@@ -106,7 +106,7 @@ impl Work {
                 };
                 let process: Vec<_> = evolve.parts.iter().map(named).collect();
                 let mut json = serde_json::json!({ "clock": evolve.clock, "process": process });
-                // Looks at fixed times shorten steps, and so are part of what comes out.
+                // Observations at fixed times shorten steps, and so affect the result.
                 if let Some(every) = evolve.watch.as_ref().and_then(|w| w.every) {
                     json["look_every"] = serde_json::json!(every);
                 }
@@ -120,7 +120,7 @@ impl Work {
 pub(super) struct EntryReader<'a> {
     /// The recipe's text.
     pub(super) text: &'a str,
-    /// What a person should know about the recipe.
+    /// Notes to the user about the recipe.
     pub(super) notes: std::cell::RefCell<Vec<String>>,
 }
 
@@ -227,7 +227,7 @@ impl EntryReader<'_> {
         Ok(Work::Evolve(Box::new(Evolve { clock, parts, watch })))
     }
 
-    /// Refuses coarse levels for processes that count rounds: what they leave is no steady state.
+    /// Refuses coarse levels for processes that count rounds: they have no steady state.
     fn may_refine(&self, clock: &Clock, part: &ReadStage, span: &Range<usize>) -> Result<()> {
         if clock.refine > 0 && part.own_clock().is_some() {
             let hint = Some("take `refine` out of the clock, or this process out of the stage".into());
@@ -271,10 +271,10 @@ impl EntryReader<'_> {
         self.table("clock", &node, Clock::check)
     }
 
-    /// Gives words of earlier recipes their names of today, with a note.
+    /// Gives keys of earlier recipes their present names, with a note.
     fn modernize(&self, stage: &str, renamed: &[(&str, &str)], node: &mut Node) -> Result<()> {
         for (old, new) in renamed {
-            // A word that is only read on has no new place.
+            // A key that is only still read has no new name.
             let (new, moves) = new.strip_prefix('!').map_or((*new, true), |n| (n, false));
             let Some(entry) = node.get(old).filter(|_| !moves).cloned().or_else(|| node.remove(old)) else { continue };
             let path: Vec<&str> = new.split('.').collect();
@@ -329,7 +329,7 @@ impl EntryReader<'_> {
             Refusal::Shape(error) => {
                 let span = node.locate(error.path());
                 let message = without_place(&error.inner().to_string());
-                // What earlier recipes had here stands in a table of its own now.
+                // Keys that earlier recipes had here are now in a table of their own.
                 let moved = stage(name).into_iter().flat_map(|s| s.renamed).map(|r| r.0.to_string());
                 let known: Vec<String> = properties.iter().map(|p| p.0.clone()).chain(moved).collect();
                 self.shape_error(name, &span, error.path(), &message, &known, node)
@@ -376,7 +376,7 @@ impl EntryReader<'_> {
     }
 }
 
-/// serde_json's message without its line and column, which are of no text that anyone sees.
+/// serde_json's message without its line and column, which refer to a text that the user does not see.
 fn without_place(message: &str) -> String {
     message.split(" at line ").next().unwrap_or(message).to_string()
 }

@@ -1,4 +1,4 @@
-//! What is known of stages, for people and for editors: catalogue, schema, citations.
+//! Help on stages, for people and for editors: catalogue, schema, citations.
 
 use serde_json::{Value as Json, json};
 
@@ -24,7 +24,7 @@ pub struct Parameter {
     pub range: String,
     /// Whether it may vary in space.
     pub varying: bool,
-    /// What it means.
+    /// Meaning.
     pub meaning: String,
 }
 
@@ -102,7 +102,7 @@ fn range(property: &Json, unit: &str) -> String {
     bounds.into_iter().chain([choices]).flatten().collect::<Vec<_>>().join(", ")
 }
 
-/// What a stage is for.
+/// The purpose of a stage.
 pub fn describe(name: &str) -> Option<String> {
     if name == EVOLVE {
         return Some(
@@ -194,17 +194,15 @@ fn schema_of<P: JsonSchema>() -> Json {
     schemars::schema_for!(P).to_value()
 }
 
-/// A stage's schema with the words that every stage takes.
-fn lift(stage: &Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json>) -> Json {
+/// A stage's schema with the keys that every stage takes.
+fn lift(stage: &'static Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json>) -> Json {
     let mut schema = (stage.form.schema)();
     if let Some(Json::Object(definitions)) = schema.get_mut("$defs").map(Json::take) {
         inner.extend(definitions);
     }
     strip(&mut schema);
     schema["properties"]["use"] = json!({ "const": stage.name });
-    if stage.verb.changes_terrain() {
-        schema["x-reach"] = (stage.form.reach)().to_string().into();
-    }
+    schema["x-reach"] = (stage.form.reach)().to_string().into();
     if own_stage {
         schema["properties"]["label"] = json!({ "type": "string" });
         schema["properties"]["from"] = json!({ "type": "string" });
@@ -214,8 +212,9 @@ fn lift(stage: &Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json
             schema["properties"]["watch"] = json!({ "$ref": "#/$defs/watch" });
         }
     }
+    let has_clock = stage.read(&(stage.form.defaults)()).is_ok_and(|read| read.own_clock().is_some());
     schema["required"] =
-        if own_stage && stage.verb == Verb::Process { json!(["use", "clock"]) } else { json!(["use"]) };
+        if own_stage && stage.verb == Verb::Process && !has_clock { json!(["use", "clock"]) } else { json!(["use"]) };
     schema
 }
 

@@ -25,7 +25,7 @@ pub struct Level {
 const MOST_HALVINGS: u32 = 6;
 
 impl Level {
-    /// So many times as long are cells.
+    /// Factor by which cells are longer.
     pub fn factor(self) -> u32 {
         1 << self.halvings
     }
@@ -48,10 +48,11 @@ impl fmt::Display for Level {
 }
 
 impl Recipe {
-    /// The same recipe on cells that are twice, four times, ... as long: a preview in a fraction of the time. Extents, rates and times stay.
+    /// The same recipe on cells that are twice, four times, ... as long: a preview in a fraction of the time. Extents, rates and
+    /// times do not change.
     ///
     /// # Errors
-    /// [`Error::Stage`] if a stage cannot do with so few cells.
+    /// [`Error::Stage`] if a stage cannot work with so few cells.
     ///
     /// ```
     /// use landform::recipe::Recipe;
@@ -78,7 +79,7 @@ impl Recipe {
                     name: entry.name.clone(),
                     source: Box::new(as_error(refusal)),
                 })?;
-                if stage.verb == Verb::Process && part.own_clock().is_some_and(|clock| !clock.is_timed) {
+                if stage.verb == Verb::Process && part.own_clock().is_some() {
                     let what = format!(
                         "`{}` counts rounds of cells: what it leaves at level {level} cannot be compared with the whole",
                         stage.name

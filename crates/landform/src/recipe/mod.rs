@@ -1,4 +1,4 @@
-//! Recipes: a list of stages in TOML, checked whole before anything runs.
+//! Recipes: lists of stages in TOML, checked completely before anything runs.
 //!
 //! ```
 //! use std::path::Path;

@@ -25,9 +25,9 @@ pub struct Recipe {
     pub seed: u64,
     /// Folder that paths are relative to.
     pub folder: PathBuf,
-    /// Sea level, rain, winds and materials, for stages that say nothing themselves.
+    /// Sea level, rain, winds and materials, for stages that have no values of their own.
     pub environment: Arc<Environment>,
-    /// What a person should know: words of earlier recipes, and what they are called now.
+    /// Notes to the user: keys of earlier recipes, and their present names.
     pub notes: Vec<String>,
     /// Whether files may be written outside of the output folder.
     pub allow_outside: bool,
@@ -61,7 +61,8 @@ pub struct Override {
 }
 
 impl Override {
-    /// Reads `stage.key=value`, `stage.table.key=value`, `environment.key=value`, `materials.name.key=value`, `seed=value` or `title=value`.
+    /// Reads `stage.key=value`, `stage.table.key=value`, `environment.key=value`, `materials.name.key=value`, `seed=value` or
+    /// `title=value`.
     ///
     /// # Errors
     /// [`Error::Recipe`] if there is no `=` or no key.
@@ -88,7 +89,7 @@ impl Recipe {
     /// Reads a recipe file.
     ///
     /// # Errors
-    /// [`Error::Io`], or what [`Recipe::parse`] finds.
+    /// [`Error::Io`] if the file cannot be read, or where [`Recipe::parse`] fails.
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Self> {
         let text = std::fs::read(path).map_err(|e| Error::io("read", path, e))?;
         let text = String::from_utf8(text).map_err(|e| {
@@ -104,39 +105,28 @@ impl Recipe {
     /// Reads a recipe's text; `title` if it has none, `folder` for its paths.
     ///
     /// # Errors
-    /// [`Error::Recipe`] with line and column, what was expected, and the nearest name; [`Error::Several`] of them.
+    /// [`Error::Recipe`] if a part of the text is wrong, with line and column, the expected value and the nearest name;
+    /// [`Error::Several`] if several parts are.
     pub fn parse(text: &str, title: &str, folder: &Path, overrides: &[Override]) -> Result<Self> {
         let mut root = Node::parse(text)?;
         let reader = EntryReader { text, notes: Default::default() };
         for o in overrides {
             apply(&mut root, o)?;
         }
-        if let Some(unknown) = root.entries().iter().find(|e| !TOP.contains(&e.key.as_str())) {
-            let hint = nearest(&unknown.key, TOP).map(|n| format!("did you mean `{n}`?"));
-            let what = format!(
-                "`{}` is not known here; a recipe has `seed`, `title`, [environment], [materials] and [[stage]]",
-                unknown.key
-            );
-            return Err(reader.error(&unknown.span, what, hint));
+        let mut mistakes: Vec<Error> = unknown_words(&reader, &root);
+        let seed = kept(read_seed(&reader, &root), &mut mistakes);
+        let own_title = kept(reader.take_text(&mut root, "title"), &mut mistakes).flatten();
+        let environment = kept(read_environment(&reader, &mut root), &mut mistakes);
+        // A misspelt word may be the missing [[stage]].
+        if !mistakes.is_empty() && root.get("stage").is_none() {
+            return Err(Error::several(mistakes));
         }
-        let seed = read_seed(&reader, &root)?;
-        let title = reader.take_text(&mut root, "title")?.map_or(title.to_string(), |t| t.0);
-        let environment = Arc::new(read_environment(&reader, &mut root)?);
-        let stages = match root.remove("stage") {
-            Some(entry) => match entry.node.value {
-                Value::Array(items) if items.len() <= MOST_STAGES => items,
-                Value::Array(_) => {
-                    return Err(reader.error(&entry.span, format!("more than {MOST_STAGES} stages"), None));
-                }
-                _ => return Err(reader.error(&entry.span, "`stage` is not a list", Some("write [[stage]]".into()))),
-            },
-            None => Vec::new(),
+        let stages = take_stages(&reader, &mut root).and_then(|list| read_stages(&reader, list, seed.unwrap_or(0)));
+        let stages = kept(stages, &mut mistakes);
+        let (Some(entries), Some(seed), Some(environment), []) = (stages, seed, environment, &mistakes[..]) else {
+            return Err(Error::several(mistakes));
         };
-        if stages.is_empty() {
-            let hint = Some("write [[stage]] and below it use = \"stream_graph\"".into());
-            return Err(Error::Recipe { at: None, what: "the recipe has no stages".into(), hint });
-        }
-        let entries = read_stages(&reader, stages, seed)?;
+        let (title, environment) = (own_title.map_or(title.to_string(), |t| t.0), Arc::new(environment));
         let notes = reader.notes.into_inner();
         let maps = Arc::new(FileMaps::new(folder));
         Ok(Self {
@@ -151,6 +141,51 @@ impl Recipe {
             window: None,
         })
     }
+}
+
+/// The value; a mistake is put to the others.
+fn kept<T>(result: Result<T>, mistakes: &mut Vec<Error>) -> Option<T> {
+    match result {
+        Ok(value) => Some(value),
+        Err(Error::Several(more)) => {
+            mistakes.extend(more);
+            None
+        }
+        Err(mistake) => {
+            mistakes.push(mistake);
+            None
+        }
+    }
+}
+
+fn unknown_words(reader: &EntryReader, root: &Node) -> Vec<Error> {
+    let unknown = root.entries().iter().filter(|e| !TOP.contains(&e.key.as_str()));
+    unknown
+        .map(|e| {
+            let hint = nearest(&e.key, TOP).map(|n| format!("did you mean `{n}`?"));
+            let what = format!(
+                "`{}` is not known here; a recipe has `seed`, `title`, [environment], [materials] and [[stage]]",
+                e.key
+            );
+            reader.error(&e.span, what, hint)
+        })
+        .collect()
+}
+
+fn take_stages(reader: &EntryReader, root: &mut Node) -> Result<Vec<Node>> {
+    let stages = match root.remove("stage") {
+        Some(entry) => match entry.node.value {
+            Value::Array(items) if items.len() <= MOST_STAGES => items,
+            Value::Array(_) => return Err(reader.error(&entry.span, format!("more than {MOST_STAGES} stages"), None)),
+            _ => return Err(reader.error(&entry.span, "`stage` is not a list", Some("write [[stage]]".into()))),
+        },
+        None => Vec::new(),
+    };
+    if stages.is_empty() {
+        let hint = Some("write [[stage]] and below it use = \"stream_graph\"".into());
+        return Err(Error::Recipe { at: None, what: "the recipe has no stages".into(), hint });
+    }
+    Ok(stages)
 }
 
 fn read_seed(reader: &EntryReader, root: &Node) -> Result<u64> {
@@ -245,7 +280,7 @@ fn set_if_named(node: &mut Node, wanted: &str, path: &[&str], value: &Node, name
     hit && node.set(&path.iter().map(String::as_str).collect::<Vec<_>>(), value.clone())
 }
 
-/// A path of an earlier recipe's words by their names of today.
+/// A path of an earlier recipe's keys by their present names.
 fn today(node: &Node, path: &[&str]) -> Vec<String> {
     let name = node.get("use").and_then(|e| match &e.node.value {
         Value::Leaf(Json::String(name)) => Some(name.as_str()),

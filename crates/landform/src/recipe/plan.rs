@@ -1,4 +1,4 @@
-//! What a recipe will do, and what it will need.
+//! The plan of a recipe: its stages, sizes and memory.
 
 use landform_core::stage::Verb;
 use landform_core::terrain::{Kind, bytes_a_node};
@@ -18,7 +18,7 @@ pub struct Plan {
     pub bytes: u64,
 }
 
-/// What one stage will do.
+/// The plan of one stage.
 #[derive(Clone, Debug)]
 pub struct PlannedStage {
     /// Name, or several joined.
@@ -40,10 +40,10 @@ pub struct PlannedStage {
 }
 
 impl Recipe {
-    /// Checks what can be checked without running: files are there, sizes, memory; and what is cached.
+    /// Checks without a run that files exist, sizes and memory, and finds what is cached.
     ///
     /// # Errors
-    /// [`Error::Stage`] with what a stage would fail at.
+    /// [`Error::Stage`] if it is known that a stage would fail.
     pub fn plan(&self, cache: Option<&Cache>, salt: &str) -> Result<Plan> {
         let mut stages: Vec<PlannedStage> = Vec::new();
         let mut current = (Estimate::default(), self.surroundings(), None);
@@ -86,6 +86,22 @@ impl Recipe {
         Ok(Plan { stages, bytes })
     }
 
+    /// What the files that were read say and nobody follows, and what was assumed of them, since this was last asked.
+    pub fn file_notes(&self) -> Vec<String> {
+        self.maps.take_notes()
+    }
+
+    /// Files that it reads.
+    pub fn inputs(&self) -> impl Iterator<Item = std::path::PathBuf> {
+        let parts = self.entries.iter().flat_map(|e| e.work.parts());
+        parts.flat_map(|p| input_paths(p.stage().inputs, p.parameters())).map(|path| self.folder.join(path))
+    }
+
+    /// Files that it writes, below the output folder.
+    pub fn outputs(&self) -> impl Iterator<Item = String> {
+        self.entries.iter().flat_map(|e| e.work.outputs())
+    }
+
     /// What the key of the first stage begins with: what surrounds the landscape.
     fn surroundings(&self) -> String {
         let environment = &*self.environment;
@@ -97,13 +113,13 @@ impl Recipe {
         format!("{window}{said} {}", serde_json::to_string(&environment.materials).unwrap_or_default())
     }
 
-    /// Nothing leaves the output folder unless somebody allowed it.
+    /// Refuses paths outside the output folder, unless they are allowed.
     fn check_outputs(&self, entry: &Entry) -> Result<()> {
         let leaves = |path: &String| relative_path(path).is_err();
         match entry.work.outputs().into_iter().find(leaves).filter(|_| !self.allow_outside) {
             Some(path) => Err(Error::Recipe {
                 at: None,
-                what: format!("`{path}` leads out of the output folder"),
+                what: format!("`{path}` leads out of the output folder, or has `..` in it"),
                 hint: Some("give a path below it, or allow it with --allow-outside".into()),
             }),
             None => Ok(()),

@@ -7,11 +7,11 @@ use super::entry::{Entry, Work};
 use super::{Recipe, Verb};
 
 impl Recipe {
-    /// The same recipe for a window of its ground (south-west and north-east corner, m): only the window is built, with the margin that later
-    /// stages look at, and not a bit of it differs from the whole.
+    /// The same recipe for a window of its ground (south-west and north-east corner, m): only the window is built, with the
+    /// margin that later stages read. It is the same as in the whole, to the bit.
     ///
     /// # Errors
-    /// [`Error::Stage`] for a stage that needs the whole ground, such as everything that routes water.
+    /// [`Error::Stage`] if a stage needs the whole ground, as every stage that routes water does.
     pub fn within(&self, bounds: [[f64; 2]; 2]) -> Result<Self> {
         let [sw, ne] = bounds;
         if !(sw[0] < ne[0] && sw[1] < ne[1]) {
@@ -19,7 +19,7 @@ impl Recipe {
             return Err(Error::parameter("region", value, "west,south,east,north in metres, each pair rising"));
         }
         let mut margin = Margin::default();
-        for (index, entry) in self.entries.iter().enumerate().filter(|(_, e)| e.work.changes_terrain()) {
+        for (index, entry) in self.entries.iter().enumerate() {
             let reach = entry.reach();
             if reach == Reach::Whole {
                 let source = Error::Unsupported {
@@ -29,14 +29,15 @@ impl Recipe {
                 };
                 return Err(Error::Stage { index: index + 1, name: entry.name.clone(), source: Box::new(source) });
             }
-            margin = margin.plus(reach);
+            // What is shown of the window needs nothing around it.
+            margin = if entry.work.changes_terrain() { margin.plus(reach) } else { margin };
         }
         Ok(Self { window: Some(Window { bounds, margin }), ..self.clone() })
     }
 }
 
 impl Entry {
-    /// How far around a place the ground can matter to what the stage does there.
+    /// How far around a node the ground can affect the result of the stage there.
     pub(super) fn reach(&self) -> Reach {
         if !self.with.is_empty() {
             return Reach::Whole;
@@ -44,7 +45,7 @@ impl Entry {
         match &self.work {
             Work::Once(part) if part.stage().verb == Verb::Convert => Reach::Whole,
             Work::Once(part) => part.reach(),
-            // Each step looks again; processes that look at nothing but the place may take any number of them.
+            // Each step reads the neighbourhood again; processes that read only the node itself may take any number of steps.
             Work::Evolve(evolve) => {
                 let still = evolve.watch.is_none() && evolve.clock.until.is_none();
                 let each_at_its_place = evolve.parts.iter().all(|p| p.reach() == Reach::Point);

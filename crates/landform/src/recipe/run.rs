@@ -9,7 +9,7 @@ use std::sync::Arc;
 use landform_core::random::Seed;
 use landform_core::sim::{Every, Model, Simulation};
 use landform_core::stage::Verb;
-use landform_core::terrain::{AnyTerrain, HeightField, Held, Surface, Terrain, Visit};
+use landform_core::terrain::{AnyTerrain, HeightField, Representation, Surface, Terrain, Visit};
 use landform_core::verb::{CancelToken, Context, Event, Landscape, Outcome, Output, Stopped};
 use landform_core::{Error, Result};
 use landform_io::files::write_whole;
@@ -19,7 +19,7 @@ use super::entry::{Entry, Evolve, Work};
 use super::watch::{Watch, Watcher};
 use super::{Plan, Recipe};
 
-/// What a run tells while it goes on.
+/// A signal of a run while it goes on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Signal {
     /// A stage begins.
@@ -39,14 +39,14 @@ pub enum Signal {
         steps: u64,
         /// Time, s.
         time: f64,
-        /// Part done, 0 to 1, if it can be told.
+        /// Part done, 0 to 1, if it is known.
         part: Option<f64>,
-        /// How far from steady, if that is watched.
+        /// Residual, if steadiness is watched.
         residual: Option<f64>,
     },
     /// Processes came to an end.
     Outcome(Outcome),
-    /// Something that a person should know.
+    /// A note to the user.
     Note(String),
 }
 
@@ -63,13 +63,13 @@ pub struct Options<'a> {
     pub resume: bool,
     /// Seconds between checkpoints.
     pub checkpoint_every: f64,
-    /// Part of the cache's keys: what tells one build of the program from another.
+    /// Part of the cache's keys that differs between builds of the program.
     pub salt: String,
     /// Asks the run to stop.
     pub cancel: CancelToken,
-    /// What is measured and written beside the terrain.
+    /// Measures and files that the run makes beside the terrain.
     pub tells: Tells,
-    /// Is told how it goes.
+    /// Receives the signals of the run.
     pub progress: &'a Progress<'a>,
 }
 
@@ -115,7 +115,7 @@ impl Tells {
 pub enum Ran {
     /// To the end; the terrain and its history.
     ToTheEnd(Arc<AnyTerrain>, Vec<Event>),
-    /// Somebody asked it to stop; the checkpoint, if one was kept.
+    /// The run was asked to stop; the checkpoint, if one was kept.
     Interrupted(Option<PathBuf>),
 }
 
@@ -131,14 +131,15 @@ impl Recipe {
     /// Runs all stages; exports go to `out`.
     ///
     /// # Errors
-    /// [`Error::Stage`] with what went wrong in it.
+    /// [`Error::Stage`] if a stage fails, with the error of the stage.
     pub fn run(&self, out: &mut dyn Output, options: &Options) -> Result<Ran> {
         let runner = Runner { recipe: self, options, cache: options.cache, damaged: Default::default() };
         self.notes.iter().for_each(|note| (options.progress)(Signal::Note(note.clone())));
         loop {
             let plan = self.plan(options.cache, &options.salt)?;
+            runner.tell_notes();
             let ran = runner.run(&plan, out);
-            // A terrain that was taken for cached and cannot be read: forget it and begin again.
+            // A terrain that seemed cached cannot be read: it is removed and made again.
             match runner.damaged.take() {
                 Some((key, why)) => {
                     (options.progress)(Signal::Note(format!("cache: {why}; the stage is run again")));
@@ -175,7 +176,7 @@ impl Runner<'_> {
             if let Some(slot) = entry.from.as_deref().and_then(|f| labelled.get(f)) {
                 current = slot.clone();
             }
-            // What is written on the way is not in the cache.
+            // Files that are written on the way are not in the cache.
             let watched = entry.work.watch().is_some() && self.watches();
             let known = if planned.cached && !watched { self.known(&planned.key, &current) } else { None };
             (self.options.progress)(Signal::Stage {
@@ -213,6 +214,7 @@ impl Runner<'_> {
                     None => return Ok(Ran::Interrupted(self.options.checkpoint.clone())),
                 }
             }
+            self.tell_notes();
             if let Some(label) = &entry.label {
                 labelled.insert(label, current.clone());
             }
@@ -223,6 +225,11 @@ impl Runner<'_> {
             Cow::Owned(window) => Arc::new(window),
         };
         Ok(Ran::ToTheEnd(terrain, current.history))
+    }
+
+    /// Tells what readers of files noted.
+    fn tell_notes(&self) {
+        self.recipe.file_notes().into_iter().for_each(|note| (self.options.progress)(Signal::Note(note)));
     }
 
     /// The part of a terrain that was asked for, without its margin.
@@ -356,7 +363,7 @@ impl Runner<'_> {
             });
         }
         if let Some(every @ Every::Time(_)) = evolve.watch.as_ref().filter(|_| !self.watches()).map(Watch::interval) {
-            // Nobody looks, but steps are as long as if somebody did.
+            // Without an observer steps are as long as with one.
             simulation = simulation.observe(every, |_| Ok(ControlFlow::Continue(())));
         }
         if let Some(path) = &self.options.checkpoint {

@@ -13,12 +13,12 @@ use super::entry::{Entry, EntryReader};
 use super::stages::{stage, stages as known_stages};
 use super::tree::Node;
 
-/// Labels that would be taken for something else.
+/// Labels that have another meaning.
 const RESERVED: [&str; 3] = ["environment", "materials", "grid"];
 /// Mistakes that are shown at once.
 const MOST_MISTAKES: usize = 20;
 
-/// Reads all stages; tells the mistakes of all of them.
+/// Reads all stages; returns the mistakes of all of them.
 pub(super) fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) -> Result<Vec<Entry>> {
     let mut sequence = Sequence { reader, seed, entries: Vec::new(), kinds: BTreeMap::new(), kind: None };
     let mut counts = BTreeMap::new();
@@ -27,7 +27,7 @@ pub(super) fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) ->
         let found = sequence.add(&mut node, &mut counts);
         if let Err(mistake) = found {
             mistakes.push(mistake.error);
-            // What comes after a stage that nobody knows cannot be judged.
+            // Stages after an unknown one cannot be checked.
             let Some(kind) = mistake.kind else { break };
             sequence.kind = kind;
         }
@@ -42,7 +42,7 @@ pub(super) fn read_stages(reader: &EntryReader, stages: Vec<Node>, seed: u64) ->
     Err(Error::several(mistakes))
 }
 
-/// A mistake in a stage, and the kind of terrain after the stage, if that can be told.
+/// A mistake in a stage, and the kind of terrain after the stage, if it is known.
 struct Mistake {
     error: Error,
     kind: Option<Option<Kind>>,

@@ -68,11 +68,16 @@ fn columns(rows: &[Row]) -> Vec<String> {
 }
 
 impl Recipe {
-    /// The numbers that its measures told: names such as "measure_coast.dimension.box", and values.
+    /// The numbers of its measures: names such as "measure_coast.dimension.box", and values.
     pub(super) fn numbers(&self, told: &MemoryOutput) -> Vec<(String, f64)> {
         let mut numbers = Vec::new();
+        let mut seen: Vec<&str> = Vec::new();
         for entry in self.entries.iter().filter(|e| e.work.verb() == Verb::Measure) {
             let name = entry.label.as_ref().unwrap_or(&entry.name);
+            seen.push(name);
+            // A second stage of a name has columns of its own.
+            let count = seen.iter().filter(|s| *s == name).count();
+            let name = &if count > 1 { format!("{name}#{count}") } else { name.clone() };
             for path in entry.work.outputs() {
                 let json = told.0.get(&path).and_then(|bytes| serde_json::from_slice::<Json>(bytes).ok());
                 numbers_in(&json.unwrap_or_default(), name, &mut numbers);

@@ -1,4 +1,4 @@
-//! TOML with places: every key and value knows where it stands.
+//! TOML with positions: every key and value has its place in the text.
 
 use std::ops::Range;
 

@@ -86,19 +86,19 @@ pub struct Row {
     pub outcome: Option<Outcome>,
     /// Elevations and slopes.
     pub summary: Summary,
-    /// How much ground lies how high.
+    /// Hypsometry: the area of ground at each height.
     pub hypsometry: Hypsometry,
     /// Slope against drainage area.
     pub slope_area: SlopeArea,
     /// Numbers of the recipe's measures: the stage's label or name and the path of the number, and its value.
     pub measures: Vec<(String, f64)>,
-    /// Seconds on the wall.
+    /// Seconds of wall-clock time.
     pub seconds: f64,
     /// The landscape, if it was to be kept.
     pub terrain: Option<Arc<AnyTerrain>>,
 }
 
-/// Most runs of a sweep.
+/// Greatest number of runs of a sweep.
 const MOST_RUNS: usize = 10_000;
 /// Bytes of terrains that runs share.
 const MOST_MEMORY: u64 = 1 << 30;
@@ -136,11 +136,11 @@ impl Sweep {
     }
 
     /// Runs a recipe, which `load` reads with the given overrides, once for each combination, several at a time as far as
-    /// `memory` (bytes) and cores allow. Nothing is exported. `done` is told each run's number and row. What ends the sweep early
-    /// is told beside the rows that came before it.
+    /// `memory` (bytes) and cores allow. Nothing is exported. `done` gets each run's number and row. An error that ends the sweep
+    /// early is returned beside the rows that came before it.
     ///
     /// # Errors
-    /// A recipe that cannot be read, before anything runs.
+    /// If a recipe cannot be read, before anything runs.
     pub fn run(
         &self,
         load: impl Fn(&[Override]) -> Result<Recipe> + Sync,
@@ -236,7 +236,7 @@ impl Visit for Summing {
 /// Pictures side by side, each with its number in the corner, in rows that make the sheet about square.
 ///
 /// # Errors
-/// As drawing; [`Error::Parameter`] without rows.
+/// [`Error::Parameter`] without rows, or where drawing fails.
 pub fn contact_sheet(rows: &[Row], picture: &WritePicture, gap: usize) -> Result<Picture> {
     let pictures = rows.iter().flat_map(|r| &r.terrain).map(|t| draw(t, picture)).collect::<Result<Vec<_>>>()?;
     let greatest = |f: fn(&Picture) -> usize| pictures.iter().map(f).max();

@@ -1,4 +1,4 @@
-//! What is written while processes run: a table of steps, pictures, an animation.
+//! Files that are written while processes run: a table of steps, pictures, an animation.
 
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Clock;
 
-/// What to write while processes run.
+/// Files to write while processes run.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Watch {
@@ -30,13 +30,13 @@ pub struct Watch {
     pub animation: Option<String>,
     /// Pictures (PNG), numbered before the extension.
     pub frames: Option<String>,
-    /// Time from one look to the next; steps are shortened to meet it. Or give `steps`.
+    /// Time from one picture or row to the next; steps are shortened to meet it. Instead, `steps` may be given.
     #[schemars(extend("x-above" = 0.0))]
     pub every: Option<Duration>,
-    /// Steps from one look to the next; 1 if neither this nor `every` is given.
+    /// Number of steps from one picture or row to the next. If neither this nor `every` is given, it is 1.
     #[schemars(extend("x-min" = 1))]
     pub steps: Option<u64>,
-    /// What pictures show.
+    /// View that pictures show.
     pub view: ViewKind,
     /// Longer side of pictures, pixels.
     #[schemars(extend("x-min" = 16, "x-max" = 4096))]
@@ -44,9 +44,9 @@ pub struct Watch {
     /// Perspective only: factor on elevations.
     #[schemars(extend("x-above" = 0.0, "x-max" = 100.0))]
     pub exaggeration: f64,
-    /// Whether pictures tell the time.
+    /// Whether pictures show the time.
     pub clock: bool,
-    /// Whether the table has a column of seconds on the wall, which differ from run to run.
+    /// Whether the table has a column of wall-clock seconds, which differ from run to run.
     pub seconds: bool,
 }
 
@@ -127,12 +127,12 @@ impl Watch {
     }
 }
 
-/// What was seen so far.
+/// Rows and pictures so far.
 pub(super) struct Watcher<'a> {
     watch: &'a Watch,
     rows: String,
     frames: Vec<Picture>,
-    /// Whether steps stand for no time.
+    /// Whether steps have no length in time.
     timeless: bool,
     started: std::time::Instant,
 }
@@ -200,7 +200,7 @@ impl<'a> Watcher<'a> {
         self.rows.push('\n');
     }
 
-    /// Writes what was seen; a note if that was nothing.
+    /// Writes the rows and pictures; a note if there are none.
     pub(super) fn finish(self, out: &mut dyn Output) -> Result<Option<&'static str>> {
         if let Some(path) = &self.watch.table {
             out.put(path, self.rows.as_bytes())?;
@@ -222,8 +222,8 @@ impl<'a> Watcher<'a> {
     }
 }
 
-/// The terrain with water at 0 m as outlets, where nothing else is one: while rivers end at a sea that comes and goes, no node is held. Only
-/// then a copy is made.
+/// The terrain with water at 0 m as outlets, where nothing else is one: while rivers end at a sea that rises and falls, no node
+/// is held. Only then a copy is made.
 fn ashore<T: Surface>(terrain: &T) -> Cow<'_, T> {
     if terrain.domain().status().contains(&Status::BaseLevel) {
         return Cow::Borrowed(terrain);
@@ -236,7 +236,7 @@ fn ashore<T: Surface>(terrain: &T) -> Cow<'_, T> {
 /// A picture of a terrain.
 ///
 /// # Errors
-/// As [`WritePicture::draw`].
+/// Where [`WritePicture::draw`] fails.
 pub(super) fn draw(terrain: &AnyTerrain, picture: &WritePicture) -> Result<Picture> {
     struct Drawing<'a>(&'a WritePicture);
     impl Visit for Drawing<'_> {

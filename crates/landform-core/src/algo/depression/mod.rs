@@ -1,7 +1,7 @@
 //! Depressions by flooding: the reference that the basin graph of [`flow`](super::flow) is checked against, and the level
 //! surface for one-off fills.
 //!
-//! A hollow fills up to the lowest pass of its rim:
+//! A depression fills up to the lowest pass of its rim:
 //!
 //! ```
 //! use landform_core::algo::depression::flood_levels;

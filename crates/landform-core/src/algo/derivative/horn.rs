@@ -32,8 +32,8 @@ impl Gradient {
     }
 }
 
-/// The nine values around a node, row by row from the north-west. A missing one (beyond the border, or nodata) takes the value that the
-/// plane through the centre and the opposite neighbour gives; all are NaN on nodata.
+/// The nine values around a node, row by row from the north-west. A missing one (beyond the border, or nodata) takes the value
+/// that the plane through the centre and the opposite neighbour gives; all are NaN on nodata.
 pub(super) fn window(grid: &Grid, values: &[f64], node: usize) -> [f64; 9] {
     let cell = grid.shape.cell(node);
     let z = values[node];

@@ -1,4 +1,4 @@
-//! Derivatives of rasters, and nodes against what is around them.
+//! Derivatives of rasters, and nodes relative to their surroundings.
 //!
 //! Ground that rises to the east faces west:
 //!

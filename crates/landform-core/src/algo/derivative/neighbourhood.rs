@@ -1,11 +1,12 @@
-//! A node against the ground around it.
+//! A node relative to the ground around it.
 //!
 //! # Method
-//! Square windows, cut at the border, nodata left out. Means come from running sums, extremes from a sliding minimum (van Herk 1992,
-//! as a monotone queue), first along rows, then along columns: cost does not grow with the window.
+//! Square windows, cut at the border, nodata left out. Means come from running sums, extremes from a sliding minimum (van Herk
+//! 1992, as a monotone queue), first along rows, then along columns: cost does not grow with the window.
 //!
 //! # Sources
-//! Topographic position index: Guisan, Weiss & Weiss (1999), elevation less the mean around it. Local relief: greatest less least elevation.
+//! Topographic position index: Guisan, Weiss & Weiss (1999), elevation less the mean around it. Local relief: greatest less least
+//! elevation.
 
 use std::collections::VecDeque;
 

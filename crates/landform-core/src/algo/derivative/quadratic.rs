@@ -1,9 +1,9 @@
 //! Slope and curvature from a quadratic surface through the nine nodes around a node.
 //!
 //! # Sources
-//! Evans (1972): the least-squares quadratic z = ½ r x² + s x y + ½ t y² + p x + q y + z₀ over a 3 × 3 window; Zevenbergen & Thorne (1987)
-//! for the slope through the four neighbours alone. Curvatures as Minár et al. (2020) name them: profile (along the slope) and plan
-//! (of the contour), positive where the ground is convex, in 1/m.
+//! Evans (1972): the least-squares quadratic z = ½ r x² + s x y + ½ t y² + p x + q y + z₀ over a 3 × 3 window; Zevenbergen &
+//! Thorne (1987) for the slope through the four neighbours alone. Curvatures as Minár et al. (2020) name them: profile (along the
+//! slope) and plan (of the contour), positive where the ground is convex, in 1/m.
 
 use crate::grid::Grid;
 
@@ -25,7 +25,8 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// Curvature along the line of steepest slope, 1/m: positive on shoulders, negative at the foot of a slope; 0 on level ground.
+    /// Curvature along the line of steepest slope, 1/m: positive on shoulders, negative at the foot of a slope; 0 on level
+    /// ground.
     pub fn profile_curvature(self) -> f64 {
         let Self { p, q, r, s, t } = self;
         let g = p * p + q * q;

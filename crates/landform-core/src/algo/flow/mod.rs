@@ -1,8 +1,8 @@
-//! Where water goes: receivers, lakes through their passes, order, accumulation. Linear cost.
+//! Flow routing: receivers, lakes through their passes, order, accumulation. Linear cost.
 //!
 //! # Method
 //! 1. *Receivers*: steepest descent (drop over distance); level ground is tilted first ([`flats`]).
-//! 2. *Open pits*: about half of the pits on rough ground see their way out at once ([`pits`]).
+//! 2. *Open pits*: for about half of the pits on rough ground the way out follows from their neighbours alone ([`pits`]).
 //! 3. *Basins*: follow receivers to an outlet or a pit ([`labels`]).
 //! 4. *Passes*: links between basins, thinned to those that can be the lowest between their two basins ([`passes`]).
 //! 5. *Tree*: minimum spanning tree of the basins by height of pass, all outlets as one root; Borůvka ([`tree`]).
@@ -12,14 +12,16 @@
 //! After routing, every node reaches an outlet, and the greatest elevation along its path is the level to which water must
 //! rise there: the flooding level of Priority-Flood (within the tilt of level ground, where passes differ by less).
 //!
-//! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are broken by slots and node numbers,
-//! which follow from geometry. Donors are added in an order that follows from the tree alone ([`order`]), and ways over the seams of
-//! strips ([`strips`]) are joined at the end: the same bits however the work is cut and on any number of threads.
+//! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are broken by slots and node
+//! numbers, which follow from geometry. Donors are added in an order that follows from the tree alone ([`order`]), and paths over
+//! the seams of strips ([`strips`]) are joined at the end. So the bits are the same for any division of the work and on any
+//! number of threads.
 //!
 //! # Sources
 //! Braun & Willett (2013) for receivers and order; Cordonnier, Bovy & Braun (2019), algorithms 1-5, for basins, passes and
-//! carving; Garbrecht & Martz (1997) and Barnes et al. (2014) for level ground. We differ in what is settled before basins are compared ([`pits`], [`passes`]) and in ordering by donor counts. Bell's thesis finds lake
-//! exits by list scans in O(n²) and lets a lake flow two ways; neither is repeated here.
+//! carving; Garbrecht & Martz (1997) and Barnes et al. (2014) for level ground. We differ in two points: pits and passes that are
+//! decided before basins are compared ([`pits`], [`passes`]), and ordering by donor counts. Bell's thesis finds lake exits by
+//! list scans in O(n²) and lets a lake flow two ways; neither is repeated here.
 //!
 //! # Checked by
 //! `tests`: every node drains, area is conserved, levels equal Priority-Flood exactly, numbering and threads do not matter.
@@ -54,6 +56,7 @@ mod tree;
 pub use flats::{fall, spread_steps, tilt_flats};
 pub use infinity::{Direction, direction};
 
+use flats::Flats;
 use strips::Strips;
 
 use schemars::JsonSchema;
@@ -69,7 +72,7 @@ pub enum Descent {
     /// The one down the steepest slope.
     #[default]
     Steepest,
-    /// The one that lies lowest, however far (Bell's thesis); favours long links.
+    /// The lowest one, at any distance (Bell's thesis); favours long links.
     Lowest,
 }
 
@@ -83,10 +86,11 @@ pub struct Flow {
     /// Saddles while routing, donors while ordering.
     marks: Vec<u8>,
     strips: Strips,
-    /// Strips to cut into, if not as many as suit the number of nodes.
+    /// Number of strips, if it does not follow from the number of nodes.
     wanted: Option<usize>,
     lakes: usize,
     descent: Descent,
+    flats: Flats,
 }
 
 impl Flow {
@@ -100,7 +104,7 @@ impl Flow {
         Self { descent, ..Self::default() }
     }
 
-    /// Cuts the nodes into so many strips; no bit depends on it.
+    /// Cuts the nodes into this many strips; no bit depends on it.
     pub fn in_strips(self, strips: usize) -> Self {
         Self { wanted: Some(strips), ..self }
     }
@@ -125,11 +129,19 @@ impl Flow {
             (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
         }
         self.steepest(domain, elevation);
-        let tilted = flats::tilt(domain, elevation, &self.slot);
-        let elevation = tilted.as_deref().unwrap_or(elevation);
-        if tilted.is_some() {
-            self.steepest(domain, elevation);
+        let mut flats = std::mem::take(&mut self.flats);
+        if flats.tilt(domain, elevation, &self.slot) {
+            self.steepest_around(domain, &flats);
+            self.leave_pits(domain, &flats.tilted);
+        } else {
+            self.leave_pits(domain, elevation);
         }
+        self.flats = flats;
+    }
+
+    /// Finds a way out of every pit: over its lowest neighbour, or over passes from basin to basin.
+    fn leave_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
+        let n = domain.len();
         let pits = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
         self.lakes = pits.all;
         if pits.closed == 0 {
@@ -148,6 +160,30 @@ impl Flow {
         match self.descent {
             Descent::Steepest => domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot),
             Descent::Lowest => lowest_descent(domain, elevation, &mut self.receiver, &mut self.slot),
+        }
+    }
+
+    /// Descent on flats that were tilted, and beside them.
+    fn steepest_around<D: Domain>(&mut self, domain: &D, flats: &Flats) {
+        let elevation = &flats.tilted;
+        if flats.level.len() > domain.len() / 16 {
+            self.steepest(domain, elevation);
+            return;
+        }
+        let status = domain.status();
+        let mut descend = |node: usize| {
+            if status[node] == Status::Interior {
+                let link = match self.descent {
+                    Descent::Steepest => domain.steepest(elevation, node),
+                    Descent::Lowest => lowest(domain, elevation, node),
+                };
+                (self.receiver[node], self.slot[node]) =
+                    link.map_or((node as u32, NO_SLOT), |(to, slot)| (to as u32, slot));
+            }
+        };
+        for &node in &flats.level {
+            descend(node);
+            domain.neighbours(node).for_each(|l| descend(l.to));
         }
     }
 
@@ -200,18 +236,22 @@ fn lowest_descent<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32]
     parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
         for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
             let node = first + k;
-            (*r, *s) = (node as u32, NO_SLOT);
-            if status[node] == Status::Interior {
-                let mut lowest = elevation[node];
-                for link in domain.neighbours(node) {
-                    if elevation[link.to] < lowest {
-                        lowest = elevation[link.to];
-                        (*r, *s) = (link.to as u32, link.slot);
-                    }
-                }
-            }
+            let is_interior = status[node] == Status::Interior;
+            let link = if is_interior { lowest(domain, elevation, node) } else { None };
+            (*r, *s) = link.map_or((node as u32, NO_SLOT), |(to, slot)| (to as u32, slot));
         }
     });
+}
+
+/// The lowest of the lower neighbours of a node, and its slot.
+fn lowest<D: Domain>(domain: &D, elevation: &[f64], node: usize) -> Option<(usize, u8)> {
+    let (mut least, mut found) = (elevation[node], None);
+    for link in domain.neighbours(node) {
+        if elevation[link.to] < least {
+            (least, found) = (elevation[link.to], Some((link.to, link.slot)));
+        }
+    }
+    found
 }
 
 /// Area of every node, 0 where masked: what [`Flow::route`] turns into drainage area.

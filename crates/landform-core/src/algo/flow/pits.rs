@@ -1,4 +1,4 @@
-//! Pits whose way out is seen from the pit itself.
+//! Pits whose way out follows from their neighbours alone.
 //!
 //! Water in a pit must rise at least to the pit's lowest neighbour. If that neighbour does not drain into the pit itself,
 //! then it drains elsewhere (to come back it would have to pass another neighbour of the pit, and those are higher), so the
@@ -13,7 +13,7 @@ use crate::parallel;
 
 const RUN: usize = 32;
 
-/// What [`open_pits`] found.
+/// Result of [`open_pits`].
 pub(super) struct Pits {
     /// Pits, flats counted once.
     pub(super) all: usize,
@@ -21,7 +21,8 @@ pub(super) struct Pits {
     pub(super) closed: usize,
 }
 
-/// Gives pits on flats that could not be tilted the equal neighbour of lower index as receiver, and pits with an open way out that way.
+/// Gives pits on flats that could not be tilted the equal neighbour of lower index as receiver, and pits with an open way out
+/// that way.
 pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) -> Pits {
     let pits = without_receiver(domain, slot);
     let lowest =

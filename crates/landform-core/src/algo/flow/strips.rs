@@ -1,11 +1,12 @@
 //! Strips of nodes that are worked on side by side.
 //!
 //! # Method
-//! Nodes are cut into strips of neighbouring indices. Within a strip everything is found that needs nothing from beyond its seams; what
-//! lies downstream of a seam is left to the end and done in one go: few nodes, since streams join. How the cut runs changes no bit:
-//! sums take donors in an order that does not know of strips, and a value found upwards depends on the receiver's alone.
+//! Nodes are cut into strips of neighbouring indices. Within a strip all values are found that need none from beyond its seams.
+//! Nodes downstream of a seam are done in one pass at the end; they are few, since streams join. The cut changes no bit: sums
+//! take donors in an order that does not depend on strips, and a value found upwards depends on the receiver's alone.
 //!
-//! The number of strips follows from the number of nodes, not from that of threads, so that the order of nodes is the same on any machine.
+//! The number of strips follows from the number of nodes, not from that of threads, so that the order of nodes is the same on any
+//! machine.
 
 use std::ops::Range;
 
@@ -68,8 +69,8 @@ impl Flow {
         });
     }
 
-    /// Finds the values of nodes, the last of the order first; `part` holds those of the nodes from `first` on, `beyond` what receivers outside
-    /// of it have, by donor. One place that calls `value`, so that it becomes part of the loop.
+    /// Finds the values of nodes, the last of the order first; `part` holds those of the nodes from `first` on, `beyond` what
+    /// receivers outside of it have, by donor. One place that calls `value`, so that it becomes part of the loop.
     fn climb<T: Copy>(
         &self,
         order: &[u32],

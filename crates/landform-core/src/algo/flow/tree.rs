@@ -1,4 +1,4 @@
-//! The minimum spanning tree of basins, and the way out of every lake.
+//! The minimum spanning tree of basins, and the outlet of every lake.
 
 use super::labels::OUTSIDE;
 use super::passes::Pass;
@@ -8,8 +8,8 @@ const NONE: (f64, u32) = (f64::INFINITY, u32::MAX);
 
 /// The passes of the minimum spanning tree, by Borůvka's rounds with filtering; basins are numbered 0..`basins`.
 ///
-/// Equal heights are told apart by position in the list. **Cost** O(passes · log basins), in practice a few rounds over a
-/// list that halves each time.
+/// Equal heights are ordered by position in the list. **Cost** O(passes · log basins), in practice a few rounds over a list that
+/// halves each time.
 pub(super) fn spanning_tree(mut passes: Vec<Pass>, basins: usize) -> Vec<Pass> {
     let mut parent: Vec<u32> = (0..basins as u32).collect();
     let mut tree: Vec<Pass> = Vec::with_capacity(basins);

@@ -1,8 +1,9 @@
 //! The functions that fractals are summed from.
 //!
 //! # Sources
-//! Perlin (2002), our own kernel; the others by the `noise-functions` crate, in single precision (beyond some ten thousand waves from the origin
-//! their steps show): OpenSimplex2 (KdotJPG), value noise on a lattice, distance to the nearest of scattered points (Worley 1996).
+//! Perlin (2002), our own kernel; the others by the `noise-functions` crate, in single precision (beyond some ten thousand waves
+//! from the origin their steps show): OpenSimplex2 (KdotJPG), value noise on a lattice, distance to the nearest of scattered
+//! points (Worley 1996).
 
 use noise_functions::{CellDistance, OpenSimplex2, Sample, ValueCubic};
 use schemars::JsonSchema;
@@ -15,10 +16,10 @@ use crate::random::Seed;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Basis {
-    /// Gradient noise: even bumps, cheap.
+    /// Gradient noise: even bumps, fast.
     #[default]
     Perlin,
-    /// OpenSimplex: like it, with fewer traces of a lattice.
+    /// OpenSimplex: like gradient noise, with fewer traces of a lattice.
     Simplex,
     /// Smooth interpolation between random heights on a lattice: blocky, broad.
     Value,

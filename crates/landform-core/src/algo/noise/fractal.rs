@@ -1,8 +1,9 @@
 //! Octaves of noise, summed in several ways.
 //!
 //! # Sources
-//! Musgrave, in Ebert et al. (2003), *Texturing & Modeling*, chapter 16: fBm, multifractal, hybrid and ridged multifractal; Pytel's thesis 2.1.5 for
-//! noise summing and for ridges as 1 − |noise|. Octaves are shifted against each other, because gradient noise is zero at every lattice point.
+//! Musgrave, in Ebert et al. (2003), *Texturing & Modeling*, chapter 16: fBm, multifractal, hybrid and ridged multifractal;
+//! Pytel's thesis 2.1.5 for noise summing and for ridges as 1 − |noise|. Octaves are shifted against each other, because gradient
+//! noise is zero at every lattice point.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,22 +26,22 @@ pub enum FractalKind {
     RidgedMultifractal,
     /// Smooth lowlands, rough heights.
     HybridMultifractal,
-    /// Product of octaves: quiet and wild parts side by side.
+    /// Product of octaves: smooth and rough parts side by side.
     Multifractal,
 }
 
 /// A sum of octaves of noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fractal {
-    /// What is summed.
+    /// Noise function that is summed.
     pub basis: Basis,
     /// How.
     pub kind: FractalKind,
     /// Number of octaves.
     pub octaves: u32,
-    /// Each octave is so many times finer than the one before.
+    /// Factor by which each octave is finer than the one before.
     pub lacunarity: f64,
-    /// Each octave is so many times as high as the one before.
+    /// Factor of the height of each octave on that of the one before.
     pub gain: f64,
 }
 

@@ -38,8 +38,8 @@ pub fn gradient_noise(seed: Seed, x: f64, y: f64) -> f64 {
     within(corners.map(|(dx, dy)| direction(seed, x0 + dx, y0 + dy)), x - x0, y - y0)
 }
 
-/// Gradient noise at many points, lattice spacing 1. The gradients of a lattice cell are kept while points stay in it, so points in
-/// line cost a few operations each; the bits are those of [`gradient_noise`].
+/// Gradient noise at many points, lattice spacing 1. The gradients of a lattice cell are kept while points stay in it, so points
+/// in line cost a few operations each; the bits are those of [`gradient_noise`].
 pub(super) fn gradient_noise_along(seed: Seed, xs: &[f64], ys: &[f64], out: &mut [f64]) {
     let mut cell = [f64::NAN; 2];
     let mut g = [[0.0; 2]; 4];

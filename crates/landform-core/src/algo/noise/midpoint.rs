@@ -1,16 +1,18 @@
 //! Random midpoint displacement: diamond-square, and 4-8 subdivision.
 //!
 //! # Method
-//! A lattice of coarse heights is refined in half-steps. Each puts a new node into the middle of every square of the lattice, which is straight
-//! and turned by 45 degrees in turn, and moves it by a Gaussian offset whose variance falls by 2^−H from one half-step to the next.
+//! A lattice of coarse heights is refined in half-steps. Each puts a new node into the middle of every square of the lattice,
+//! which is straight and turned by 45 degrees in turn, and moves it by a Gaussian offset whose variance falls by 2^−H from one
+//! half-step to the next.
 //!
-//! *Diamond-square* takes the mean of a square's corners and never moves a node again: peaks stay sharp and bumps recur at the coarse nodes.
-//! *4-8 subdivision* takes the same mean for the new node and moves the old ones to ½ of themselves and ⅛ of each of their four neighbours, so that the
-//! surface without offsets is smooth (C⁴). The rim is refined as a cubic spline: midpoints, then ¾ and ⅛ and ⅛. Nodes of the coarse lattice may be
-//! held.
+//! *Diamond-square* takes the mean of a square's corners and never moves a node again: peaks stay sharp and bumps recur at the
+//! coarse nodes. *4-8 subdivision* takes the same mean for the new node and moves the old ones to ½ of themselves and ⅛ of each
+//! of their four neighbours, so that the surface without offsets is smooth (C⁴). The rim is refined as a cubic spline: midpoints,
+//! then ¾ and ⅛ and ⅛. Nodes of the coarse lattice may be held.
 //!
 //! # Sources
-//! Fournier, Fussell & Carpenter (1982); Miller (1986) for the artefacts; Velho & Zorin (2001); masks from validation notes 2.16; Pytel's thesis 2.1.5.
+//! Fournier, Fussell & Carpenter (1982); Miller (1986) for the artefacts; Velho & Zorin (2001); masks from validation notes 2.16;
+//! Pytel's thesis 2.1.5.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -124,8 +126,8 @@ impl Lattice {
         }
     }
 
-    /// Old nodes of the straight lattice: ½ and four times ⅛ of the neighbours along the axes. The new nodes still to come are means of the
-    /// corners as they were, so centres must be made from what this replaces: they are put in first.
+    /// Old nodes of the straight lattice: ½ and four times ⅛ of the neighbours along the axes. The new nodes still to come are
+    /// means of the corners as they were, so centres must be made from what this replaces: they are put in first.
     fn smooth_straight(&self, z: &mut [f64]) {
         let s = self.step;
         // Centres first, from the corners before they move.
@@ -170,7 +172,8 @@ impl Lattice {
         deviation * seed.normal_pair(((r / h) as u64) << 32 | (c / h) as u64).0
     }
 
-    /// Old nodes of the turned lattice (the straight one's and the centres): ½ and four times ⅛ of the diagonal neighbours; the rim as a spline.
+    /// Old nodes of the turned lattice (the straight one's and the centres): ½ and four times ⅛ of the diagonal neighbours; the
+    /// rim as a spline.
     fn smooth_turned(&self, z: &mut [f64]) {
         let (s, h) = (self.step, self.step / 2);
         self.edges(z, |mean, _, _| mean);

@@ -1,4 +1,4 @@
-//! Where to put nodes.
+//! Sampling: positions of nodes.
 //!
 //! No two nodes lie nearer to each other than the spacing:
 //!

@@ -51,8 +51,8 @@ fn cross(a: [f64; 2], b: [f64; 2], boxes: &mut Vec<(i64, i64)>) {
     }
 }
 
-/// The dimension by boxes from `least` to an eighth of the lines' extent, or `most`; none if fewer than four sizes fit, or `least` is so small that more than ten
-/// million boxes would be counted.
+/// The dimension by boxes from `least` to an eighth of the lines' extent, or `most`; none if fewer than four sizes fit, or
+/// `least` is so small that more than ten million boxes would be counted.
 pub fn dimension_by_boxes(lines: &[&[[f64; 2]]], least: f64, most: f64) -> Option<Dimension> {
     if !(least > 1e-7 * lines.iter().map(|l| length(l)).sum::<f64>()) {
         return None;

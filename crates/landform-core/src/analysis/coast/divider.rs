@@ -1,8 +1,8 @@
 //! Walking along a line with a pair of compasses.
 //!
 //! # Method
-//! From the first point to the next place where the line leaves the circle of the step's radius, and so on; what is left at the end counts as a part of a step.
-//! D is minus the slope of ln N on ln s over steps that grow by √2.
+//! From the first point to the next place where the line leaves the circle of the step's radius, and so on; what is left at the
+//! end counts as a part of a step. D is minus the slope of ln N on ln s over steps that grow by √2.
 //!
 //! # Sources
 //! Richardson (1961); Mandelbrot (1967).
@@ -54,8 +54,8 @@ fn leaves(centre: [f64; 2], a: [f64; 2], b: [f64; 2], radius: f64, from: f64) ->
     (t > from && t <= 1.0).then_some(t)
 }
 
-/// The dimension over steps from `least` to a quarter of the line's extent, or `most`; none if fewer than four steps fit, or `least` is so small that a walk would
-/// take more than ten million steps.
+/// The dimension over steps from `least` to a quarter of the line's extent, or `most`; none if fewer than four steps fit, or
+/// `least` is so small that a walk would take more than ten million steps.
 pub fn dimension_by_divider(points: &[[f64; 2]], least: f64, most: f64) -> Option<Dimension> {
     if !(least > 1e-7 * length(points)) {
         return None;

@@ -1,13 +1,13 @@
 //! How drainage areas and stream lengths are distributed: the exponents of river networks.
 //!
 //! # Method
-//! Over all nodes, by tenths of a decade. β from P(A ≥ a) ~ a^−β between 8 nodes and a twelfth (or a hundredth) of the greatest area; h from bin means of log L against
-//! log A between 20 nodes and half of the greatest area (Hack's law), bins with at least 10 nodes; ψ from P(L ≥ l) ~ l^−ψ between 5 node distances and a quarter of
-//! the greatest length. L is the longest way upstream.
+//! Over all nodes, by tenths of a decade. β from P(A ≥ a) ~ a^−β between 8 nodes and a twelfth (or a hundredth) of the greatest
+//! area; h from bin means of log L against log A between 20 nodes and half of the greatest area (Hack's law), bins with at least
+//! 10 nodes; ψ from P(L ≥ l) ~ l^−ψ between 5 node distances and a quarter of the greatest length. L is the longest way upstream.
 //!
 //! # Sources
-//! Rodriguez-Iturbe & Rinaldo (1997), *Fractal River Basins*; Hack (1957); Maritan et al. (1996) for ψ = β/h and β + h = 1. Finite size raises β by about 0.045 (to a
-//! hundredth: 0.015 to 0.02): compare with objects of known exponents.
+//! Rodriguez-Iturbe & Rinaldo (1997), *Fractal River Basins*; Hack (1957); Maritan et al. (1996) for ψ = β/h and β + h = 1.
+//! Finite size raises β by about 0.045 (to a hundredth: 0.015 to 0.02): compare with objects of known exponents.
 //!
 //! # Checked by
 //! `tests`: Scheidegger's and Peano's networks (DN9).

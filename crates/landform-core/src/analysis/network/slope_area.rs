@@ -1,8 +1,8 @@
 //! Slope against drainage area: the signature of rivers.
 //!
 //! # Method
-//! Nodes in bins of a tenth of a decade of drainage area. The slope of a bin is the sum of its drops over the sum of its steps, on elevations in which hollows are cut
-//! through, so that no step rises.
+//! Nodes in bins of a tenth of a decade of drainage area. The slope of a bin is the sum of its drops over the sum of its steps,
+//! on elevations in which depressions are cut through, so that no step rises.
 //!
 //! # Sources
 //! Flint (1974): S = k_s A^(−θ); θ is the concavity, m/n at the steady state of the stream-power law.

@@ -1,16 +1,17 @@
-//! How much relief there is at every wavelength.
+//! The spectrum: the relief at every wavelength.
 //!
 //! # Method
-//! The largest square without nodata; its best plane removed; a periodic Hann window along both axes (no mirror: a mirrored surface has a
-//! crease at the seam and half of the independent coefficients); the squared transform, scaled so that its integral over all wave numbers
-//! is the variance; means over rings of one wave number. The exponent is a straight line through log mean power over log wave number.
+//! The largest square without nodata; its best plane removed; a periodic Hann window along both axes (no mirror: a mirrored
+//! surface has a crease at the seam and half of the independent coefficients); the squared transform, scaled so that its integral
+//! over all wave numbers is the variance; means over rings of one wave number. The exponent is a straight line through log mean
+//! power over log wave number.
 //!
-//! The slope is the test, never the goodness of the fit alone: see [`SeedFit`].
+//! The slope is the test, never the goodness of the fit alone: see [`ThesisFit`].
 //!
 //! # Sources
-//! Voss (1988); Saupe (1988): a surface of Hurst exponent H has radially averaged density k^−(2H+2) and profiles of density k^−(2H+1). Pytel's thesis
-//! (Theorem 2.1.1, Eq. 2.6, 2.7) states 2H + 1, which is that of a profile. Perron, Kirchner & Dietrich (2008) for windows, bins and peaks above the
-//! background.
+//! Voss (1988); Saupe (1988): a surface of Hurst exponent H has radially averaged density k^−(2H+2) and profiles of density
+//! k^−(2H+1). Pytel's thesis (Theorem 2.1.1, Eq. 2.6, 2.7) states 2H + 1, which is that of a profile. Perron, Kirchner & Dietrich
+//! (2008) for windows, bins and peaks above the background.
 //!
 //! # Checked by
 //! `tests`: Parseval, a sine at its wavelength, H of synthetic surfaces within 0.05, turning by 90 degrees.
@@ -23,7 +24,7 @@ mod window;
 use serde::{Deserialize, Serialize};
 
 pub use rings::{LogBin, Ring};
-pub use seed_procedure::{SeedFit, seed_fit};
+pub use seed_procedure::{ThesisFit, seed_fit};
 pub use transects::{Transects, transects};
 pub use window::{Window, largest_square};
 
@@ -31,7 +32,7 @@ use crate::algo::fourier::forward;
 use crate::grid::{Grid, Shape};
 use crate::math;
 
-/// The least side of a window from which anything is said.
+/// The least side of a window that is measured, nodes.
 pub const LEAST_WINDOW: usize = 32;
 
 /// A power law fitted to densities.
@@ -53,13 +54,14 @@ impl PowerLaw {
 /// The spectral density of a surface and what follows from it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spectrum {
-    /// What was transformed.
+    /// The part of the raster that was transformed.
     pub window: Window,
     /// Mean density of each ring, the longest wave first.
     pub rings: Vec<Ring>,
     /// Mean density in tenths of a decade of wave number.
     pub bins: Vec<LogBin>,
-    /// β of the surface by rings 4 to N/4, each ring one point: 2H + 2 for fractional Brownian ground. High wave numbers weigh most.
+    /// β of the surface by rings 4 to N/4, each ring one point: 2H + 2 for fractional Brownian ground. High wave numbers weigh
+    /// most.
     pub surface: PowerLaw,
     /// The same by bins of a tenth of a decade: each scale weighs the same.
     pub surface_by_bins: PowerLaw,
@@ -76,7 +78,7 @@ pub struct Spectrum {
     /// Wavelength that stands out most above the power law, m, and by what factor.
     pub peak: (f64, f64),
     /// The thesis' procedure.
-    pub seed_fit: SeedFit,
+    pub seed_fit: ThesisFit,
 }
 
 /// Densities of a window, for pictures and sums.
@@ -98,8 +100,9 @@ impl Density {
         self.values[kx as usize * self.side + ky]
     }
 
-    /// The plane of wave numbers with its radius on a logarithmic scale, the longest waves in the middle, north up: `size`² means of log₁₀ density, row-major.
-    /// A self-affine surface is an even cone (the seed draws the same over logarithmic x and y). NaN beyond the shortest waves. **Cost** O(n).
+    /// The plane of wave numbers with its radius on a logarithmic scale, the longest waves in the middle, north up: `size`² means
+    /// of log₁₀ density, row-major. A self-affine surface is an even cone (Pytel's thesis draws the same over logarithmic x and
+    /// y). NaN beyond the shortest waves. **Cost** O(n).
     pub fn log_plot(&self, size: usize) -> Vec<f64> {
         let half = (size / 2) as f64;
         let most = 0.5 * self.side as f64;
@@ -150,7 +153,8 @@ impl Density {
     }
 }
 
-/// The density of a raster's largest square, with its best plane removed and tapered if `taper` (else as it is, for periodic surfaces).
+/// The density of a raster's largest square, with its best plane removed and tapered if `taper` (else as it is, for periodic
+/// surfaces).
 ///
 /// None if the square has fewer than [`LEAST_WINDOW`] nodes a side. **Cost** O(n log n).
 pub fn density(grid: &Grid, z: &[f64], taper: bool) -> Option<(Window, Density)> {
@@ -165,7 +169,8 @@ pub fn density(grid: &Grid, z: &[f64], taper: bool) -> Option<(Window, Density)>
     Some((window, Density { side: n, step, values }))
 }
 
-/// The spectrum of a raster's largest square without nodata; none if it has fewer than [`LEAST_WINDOW`] nodes a side. **Cost** O(n log n).
+/// The spectrum of a raster's largest square without nodata; none if it has fewer than [`LEAST_WINDOW`] nodes a side. **Cost**
+/// O(n log n).
 pub fn spectrum(grid: &Grid, z: &[f64]) -> Option<Spectrum> {
     let (window, density) = density(grid, z, true)?;
     Some(of_density(grid, z, window, &density))

@@ -1,4 +1,4 @@
-//! The seed's own procedure for judging a spectrum, to the letter.
+//! The procedure of Pytel's thesis for judging a spectrum, to the letter.
 //!
 //! # Method
 //! 1. The log plot's points (r, z): r the logarithm of the length of each wave vector, z the logarithm of the density of Eq. 2.6 for heights
@@ -8,13 +8,14 @@
 //! 3. T, linear in r and in z, maps L to z = 1 − r: r runs from 0 to 1 over the points, L from 1 to 0.
 //! 4. Residuals of T(points) from z = 1 − r: their root mean square, and R².
 //!
-//! T throws the slope away, so that the two numbers cannot tell H = 0.2 from H = 0.9: any cloud around any falling line passes. R² of pure
-//! fractional Brownian ground is β² V/(β² V + π²/6) with V = Var(ln r), since the logarithm of a periodogram's noise has variance π²/6: it
-//! measures noise and steepness, not likeness. That is why the slope stands beside it.
+//! T removes the slope, so that the two numbers cannot distinguish H = 0.2 from H = 0.9: any cloud around any falling line
+//! passes. R² of pure fractional Brownian ground is β² V/(β² V + π²/6) with V = Var(ln r), since the logarithm of a periodogram's
+//! noise has variance π²/6: it measures noise and steepness, not likeness. Therefore the slope is given beside it.
 //!
 //! # Sources
-//! Pytel's thesis, 2.1.6. Its base line (33 surfaces, H from 0.5 to 0.98): RMS 0.199–0.223, R² 0.331–0.526. The text leaves T's scale of r open;
-//! ours gives the same R² (T does not change it) but not the same RMS. Validation notes 1.5 for the formula of R².
+//! Pytel's thesis, 2.1.6. Its base line (33 surfaces, H from 0.5 to 0.98): RMS 0.199–0.223, R² 0.331–0.526. The text leaves T's
+//! scale of r open; ours gives the same R² (T does not change it) but not the same RMS. Validation notes 1.5 for the formula of
+//! R².
 
 use serde::{Deserialize, Serialize};
 
@@ -23,14 +24,14 @@ use super::{Density, Window};
 use crate::grid::Shape;
 use crate::math;
 
-/// What the procedure reports.
+/// Results of the procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SeedFit {
+pub struct ThesisFit {
     /// Root mean square of the residuals after T.
     pub rms: f64,
     /// Coefficient of determination.
     pub r2: f64,
-    /// Exponent of the line before T threw it away: β of single coefficients.
+    /// Exponent of the line before T removes it: β of single coefficients.
     pub exponent: f64,
     /// Points that were used.
     pub points: usize,
@@ -41,7 +42,7 @@ pub struct SeedFit {
 const EPSILON: f64 = 1e-3;
 
 /// The procedure on a density; `z` gives the range that heights are scaled by.
-pub fn seed_fit(density: &Density, z: &[f64], window: Window, shape: Shape) -> SeedFit {
+pub fn seed_fit(density: &Density, z: &[f64], window: Window, shape: Shape) -> ThesisFit {
     let n = density.side;
     let heights = (0..n * n).map(|i| z[window.node(shape, i / n, i % n)]);
     let (lo, hi) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
@@ -71,7 +72,7 @@ pub fn seed_fit(density: &Density, z: &[f64], window: Window, shape: Shape) -> S
     let (vr, crz, vz) = (rr / count - mr * mr, rz / count - mr * mz, zz / count - mz * mz);
     let slope = crz / vr;
     let residual = (vz - crz * crz / vr).max(0.0).sqrt();
-    SeedFit {
+    ThesisFit {
         rms: residual / (slope.abs() * (range.1 - range.0)),
         r2: crz * crz / (vr * vz),
         exponent: -slope,

@@ -16,7 +16,7 @@ pub struct Lake {
     pub area: f64,
     /// Volume, m³.
     pub volume: f64,
-    /// Where it overflows, m; nowhere for water at the level of the sea.
+    /// Position of its outlet, m; none for water at sea level.
     pub outlet: Option<[f64; 2]>,
     /// Discharge through it, m³/s.
     pub discharge: f64,

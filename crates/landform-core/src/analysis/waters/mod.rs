@@ -1,4 +1,4 @@
-//! Rivers, lakes and basins as things with properties.
+//! Rivers, lakes and basins with their properties.
 
 mod basins;
 mod lakes;
@@ -18,7 +18,7 @@ use crate::grid::{Domain, Grid};
 use crate::parallel;
 use crate::terrain::{NodeSurface, sea_level as terrain_sea_level};
 
-/// Where water goes on a terrain: what rivers, lakes and basins are read from.
+/// The drainage of a terrain, from which rivers, lakes and basins are read.
 #[derive(Clone, Debug)]
 pub struct Drainage<D> {
     /// The graph, with the outlets that were used.
@@ -33,13 +33,13 @@ pub struct Drainage<D> {
     pub level: Vec<f64>,
     /// Level of the sea, m, if there is one.
     pub sea_level: Option<f64>,
-    /// Depth of water as a process left it, m, if one did; hollows need not be full then.
+    /// Depth of water as a process left it, m, if one did; depressions need not be full then.
     pub known_depth: Option<Vec<f64>>,
 }
 
 impl<D: Domain> Drainage<D> {
-    /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given; `rainfall` (m/s) holds
-    /// where the terrain has no field of it. Discharge and depth of water that a process left are taken as they are. **Cost** O(n).
+    /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given; `rainfall` (m/s) holds where
+    /// the terrain has no field of it. Discharge and depth of water that a process left are taken as they are. **Cost** O(n).
     pub fn of<T: NodeSurface<Domain = D>>(terrain: &T, sea_level: Option<f64>, rainfall: f64) -> Self {
         let mut domain = terrain.domain();
         if let Some(level) = sea_level {

@@ -1,8 +1,8 @@
 //! Rivers as lines.
 //!
 //! # Sources
-//! Moody & Troutman (2002) for the width and depth of rivers, w = 7.2 Q^0.50, d = 0.27 Q^0.39 (m, m³/s), where the water itself is not there
-//! to be measured.
+//! Moody & Troutman (2002) for the width and depth of rivers, w = 7.2 Q^0.50, d = 0.27 Q^0.39 (m, m³/s), where the water itself
+//! is not there to be measured.
 
 use super::Drainage;
 use crate::algo::network::reaches;
@@ -48,7 +48,7 @@ pub struct RiverReach {
     pub depth: f64,
     /// Length on the map, m.
     pub length: f64,
-    /// Whether it ends at a base level rather than in another reach or in a closed hollow.
+    /// Whether it ends at a base level rather than in another reach or in a closed depression.
     pub leaves: bool,
     /// x, y and elevation of the water, m, from the upper end down.
     pub points: Vec<[f64; 3]>,
@@ -99,7 +99,7 @@ pub fn rivers<T: NodeSurface>(
 
 /// Beside a river it is dry where the water is less than this part as deep.
 const DRY: f64 = 0.33;
-/// Rivers are not looked at farther than so many nodes from their thread.
+/// Greatest distance from its thread at which the width of a river is measured, nodes.
 const WIDEST: usize = 64;
 
 /// Width of the water at a node, by the nearest dry one; none where depths are not known.

@@ -1,4 +1,4 @@
-//! What each engine wants.
+//! Sizes, formats and numbers that each engine needs.
 //!
 //! # Sources
 //! Epic's technical guide to landscapes (sizes, 1/128 unit a step at scale 100), Unity's TerrainData (sizes, 16-bit RAW from
@@ -13,7 +13,7 @@ use crate::format::{STEPS, Sidecar, mesh_file_from_height_field, mesh_format, qu
 /// Sizes that an engine takes.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sizes {
-    /// Squares of so many nodes.
+    /// Squares with one of these numbers of nodes a side.
     OneOf(&'static [usize]),
     /// Any, with one spacing for both axes.
     AnySquareCells,
@@ -119,7 +119,7 @@ fn by_extension(heights: &Heights) -> Result<Vec<u8>> {
 }
 
 impl Engine {
-    /// What the raw numbers mean, for programs, where the format does not say it itself.
+    /// The meaning of the raw numbers, for programs, where the format does not hold it.
     pub(super) fn sidecar(&self, heights: &Heights) -> Option<Sidecar> {
         let mut sidecar = raster_format(std::path::Path::new(heights.file)).ok()?.sidecar(&heights.file())?;
         if self.south_first {

@@ -1,4 +1,4 @@
-//! Heights as an engine wants them, with a card that says which numbers to type.
+//! Height maps for engines, with a card that says which numbers to type.
 
 mod engines;
 
@@ -6,7 +6,7 @@ use std::path::Path;
 
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, Interpolation, NodeSurface, resample};
-use landform_core::verb::{Export, Landscape, Output, Params, Source, file_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -14,21 +14,21 @@ use serde::{Deserialize, Serialize};
 use crate::format::{RasterFile, sidecar_path};
 use engines::{Engine, Sizes};
 
-/// Writes elevation as an engine imports it right first time, with an import card (name.ext.md) that says which numbers to
-/// type: unreal (png, r16), unity (raw), godot (exr, r16), blender (exr, glb), gis (tif).
+/// Writes elevation as a height map for an engine, with an import card (name.ext.md) that says which numbers to type: unreal
+/// (png, r16), unity (raw), godot (exr, r16), blender (exr, glb), gis (tif).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteHeightmap {
     /// Path below the output folder.
     pub path: String,
-    /// Who reads it.
+    /// Program that reads it.
     pub preset: Preset,
-    /// Nodes along a side; the engine's smallest size with at least as many, if not given.
+    /// Number of nodes along a side. If not given, it is the engine's smallest size with at least as many nodes as the landscape.
     #[schemars(extend("x-min" = 2, "x-max" = 16_385))]
     pub size: Option<usize>,
 }
 
-/// Who reads a height map.
+/// Program that reads a height map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Preset {
@@ -40,7 +40,7 @@ pub enum Preset {
     Godot,
     /// Blender: displacement, or a mesh.
     Blender,
-    /// QGIS and its relatives.
+    /// QGIS and other GIS.
     Gis,
 }
 
@@ -53,6 +53,10 @@ impl Default for WriteHeightmap {
 impl Params for WriteHeightmap {
     const NAME: &'static str = "write_heightmap";
     const SOURCES: &'static [Source] = &[];
+
+    fn reach(&self) -> Reach {
+        Reach::Point
+    }
 
     fn outputs(&self) -> Vec<String> {
         vec![self.path.clone(), sidecar_path(&self.path), format!("{}.md", self.path)]
@@ -90,7 +94,7 @@ fn names_a_tile(path: &str) -> bool {
     size || (place("_x") && place("_y"))
 }
 
-/// Heights on the engine's grid, and what a card tells of them.
+/// Heights on the engine's grid, and the contents of their card.
 pub(super) struct Heights<'a> {
     /// The grid.
     pub(super) field: HeightField,
@@ -117,7 +121,7 @@ impl Heights<'_> {
     }
 }
 
-/// Relief below this is none, m.
+/// Relief below this counts as level ground, m.
 const FLAT: f64 = 1e-3;
 
 impl WriteHeightmap {
@@ -170,7 +174,7 @@ impl WriteHeightmap {
         let finite = field.elevation().iter().copied().filter(|z| z.is_finite());
         let (least, mut greatest) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
         if greatest - least < FLAT {
-            // Level ground: no noise of the last bit stretched over 16 bits, and a range that an engine takes.
+            // Level ground: noise of the last bit is not stretched over 16 bits, and the range is one that an engine takes.
             let z = field.elevation().iter().map(|z| if z.is_nan() { *z } else { least }).collect();
             field = HeightField::new(field.grid().clone(), z)?;
             greatest = least + 1.0;

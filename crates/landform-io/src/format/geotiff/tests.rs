@@ -2,8 +2,12 @@ use landform_core::grid::{Georeference, Grid, Registration, Shape};
 use landform_core::terrain::{HeightField, NodeSurface};
 
 use super::*;
-use crate::format::RasterFile;
-use crate::format::Samples;
+use crate::format::reading::{Beside, decide};
+use crate::format::{RasterFile, Samples};
+
+fn again(file: &RasterFile) -> HeightField {
+    decide(NAME, read(&write(file).unwrap(), None).unwrap(), Beside::default()).unwrap().field
+}
 
 fn field(rows: usize, cols: usize, georeference: Georeference) -> HeightField {
     let mut grid = Grid::new(Shape::new(rows, cols), [30.0, 25.0]).unwrap();
@@ -32,7 +36,7 @@ fn every_layout_is_read_back_with_its_georeference() {
     for (rows, cols) in [(40, 53), (1, 1), (130, 3)] {
         for epsg in [Some(32_611), None] {
             for registration in [Registration::Area, Registration::Point] {
-                let source = field(rows, cols, Georeference { epsg, geographic: false, registration });
+                let source = field(rows, cols, Georeference { epsg, registration, ..Georeference::default() });
                 for geotiff in options() {
                     let file = RasterFile {
                         grid: source.grid(),
@@ -44,7 +48,7 @@ fn every_layout_is_read_back_with_its_georeference() {
                         seed: 1,
                         geotiff,
                     };
-                    let back = read(&write(&file).unwrap(), None).unwrap();
+                    let back = again(&file);
                     let mut expected = source.grid().clone();
                     if epsg.is_none() {
                         expected.georeference.registration = Registration::Area;
@@ -62,7 +66,10 @@ fn every_layout_is_read_back_with_its_georeference() {
 
 #[test]
 fn longitude_and_latitude_are_known_as_such() {
-    let source = field(8, 9, Georeference { epsg: Some(4326), geographic: true, registration: Registration::Area });
+    let source = field(8, 9, {
+        let registration = Registration::Area;
+        Georeference { epsg: Some(4326), geographic: true, registration, ..Georeference::default() }
+    });
     let file = RasterFile {
         grid: source.grid(),
         values: source.elevation(),
@@ -73,5 +80,5 @@ fn longitude_and_latitude_are_known_as_such() {
         seed: 1,
         geotiff: GeotiffOptions::default(),
     };
-    assert!(read(&write(&file).unwrap(), None).unwrap().grid().georeference.geographic);
+    assert!(again(&file).grid().georeference.geographic);
 }

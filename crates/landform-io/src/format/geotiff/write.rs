@@ -3,12 +3,12 @@
 use std::io::{Cursor, Write};
 
 use flate2::write::ZlibEncoder;
-use landform_core::grid::Registration;
+use landform_core::grid::{Grid, Registration};
 use landform_core::{Error, Result, parallel};
 use tiff::encoder::{DirectoryEncoder, TiffEncoder, TiffKind};
 use tiff::tags::Tag;
 
-use super::{Compression, DataType, GeotiffOptions, NAME, keys};
+use super::{Compression, DataType, GeotiffOptions, NAME, fail, keys};
 use crate::format::RasterFile;
 
 /// Files from this size on are written as BigTIFF.
@@ -16,7 +16,6 @@ const CLASSIC_LIMIT: usize = 3_900_000_000;
 const STRIP_ROWS: usize = 64;
 
 pub(in crate::format) fn write(file: &RasterFile) -> Result<Vec<u8>> {
-    let fail = |e: tiff::TiffError| Error::format(NAME, e);
     check_range(file)?;
     let blocks = blocks(file)?;
     let mut bytes = Cursor::new(Vec::new());
@@ -133,8 +132,8 @@ fn encode_row(values: impl Iterator<Item = f64>, options: GeotiffOptions, bytes:
     }
 }
 
-/// Floats, most significant byte first, as a row of little-endian samples or of differences from byte to byte: all most significant
-/// bytes first, and so on.
+/// Floats, most significant byte first, as a row of little-endian samples or of differences from byte to byte: all most
+/// significant bytes first, and so on.
 fn encode_floats<const N: usize>(samples: &[[u8; N]], predict: bool, bytes: &mut Vec<u8>) {
     let start = bytes.len();
     if !predict {
@@ -215,19 +214,33 @@ fn fill<K: TiffKind>(
         directory.write_tag(offset_tag, offsets.as_slice())?;
         directory.write_tag(length_tag, lengths.as_slice())?;
     }
-    let [dx, dy] = grid.spacing;
-    // Without a reference system there are no keys (readers would make one up), and without keys pixels are areas.
-    let area = grid.georeference.registration == Registration::Area || grid.georeference.epsg.is_none();
-    let half = if area { 0.5 } else { 0.0 };
-    let corner = [grid.origin[0] - half * dx, grid.origin[1] + half * dy];
-    directory.write_tag(Tag::ModelPixelScaleTag, [dx, dy, 0.0].as_slice())?;
-    directory.write_tag(Tag::ModelTiepointTag, [0.0, 0.0, 0.0, corner[0], corner[1], 0.0].as_slice())?;
-    if grid.georeference.epsg.is_some() {
-        directory.write_tag(Tag::GeoKeyDirectoryTag, keys::directory(&grid.georeference).as_slice())?;
-    }
+    write_place(&mut directory, &grid.in_its_system())?;
     if let Some(nodata) = nodata(options.data_type) {
         directory.write_tag(Tag::GdalNodata, nodata.to_string().as_str())?;
     }
     directory.write_tag(Tag::Software, concat!("landform ", env!("CARGO_PKG_VERSION")))?;
     directory.finish()
+}
+
+fn write_place<K: TiffKind>(
+    directory: &mut DirectoryEncoder<'_, &mut Cursor<Vec<u8>>, K>,
+    grid: &Grid,
+) -> tiff::TiffResult<()> {
+    let [dx, dy] = grid.spacing;
+    let keys = keys::of(&grid.georeference);
+    // Without keys pixels are areas.
+    let area = grid.georeference.registration == Registration::Area || keys.is_none();
+    let half = if area { 0.5 } else { 0.0 };
+    let corner = [grid.origin[0] - half * dx, grid.origin[1] + half * dy];
+    directory.write_tag(Tag::ModelPixelScaleTag, [dx, dy, 0.0].as_slice())?;
+    directory.write_tag(Tag::ModelTiepointTag, [0.0, 0.0, 0.0, corner[0], corner[1], 0.0].as_slice())?;
+    let Some(keys) = keys else { return Ok(()) };
+    directory.write_tag(Tag::GeoKeyDirectoryTag, keys.directory.as_slice())?;
+    if !keys.numbers.is_empty() {
+        directory.write_tag(Tag::GeoDoubleParamsTag, keys.numbers.as_slice())?;
+    }
+    if !keys.text.is_empty() {
+        directory.write_tag(Tag::GeoAsciiParamsTag, keys.text.as_str())?;
+    }
+    Ok(())
 }

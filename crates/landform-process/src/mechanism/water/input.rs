@@ -1,10 +1,10 @@
-//! What a round of runoff is given, and what waits for water that comes late.
+//! Input of a round of runoff, and the events of overflow.
 
 use landform_core::grid::{Domain, RasterDomain, Status};
 
 use super::Supply;
 
-/// What a round runs over.
+/// Ground and water of a round.
 pub(super) struct RunoffInput<'a> {
     pub(super) domain: &'a RasterDomain,
     pub(super) ground: &'a [f64],
@@ -19,7 +19,7 @@ impl RunoffInput<'_> {
     }
 }
 
-/// A pool or a node that overflow has come to.
+/// A pool or a node that overflow has reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum OverflowEvent {
     Pool(u32),

@@ -1,4 +1,4 @@
-//! What water carries: its ways after a round, for sediment to follow.
+//! The paths of water after a round, which sediment follows.
 
 use landform_core::grid::RasterDomain;
 
@@ -7,7 +7,7 @@ use super::spread::{FlowPartition, Rule};
 use super::sweep::Sweep;
 
 impl Sweep {
-    /// Nodes as the last round took them: higher ones before their lower neighbours.
+    /// Nodes in the order of the last round: higher ones before their lower neighbours.
     pub fn order(&self) -> impl Iterator<Item = usize> + '_ {
         self.order.iter().map(|i| *i as usize)
     }
@@ -27,8 +27,8 @@ impl Sweep {
         self.pools.surface(self.ran_over(), node)
     }
 
-    /// Where what passes a node of the last round goes on to, with shares: with the water on dry ground, down the bed under standing
-    /// water. `part` is the flow as a part of all water.
+    /// The nodes to which a node of the last round passes sediment on, with shares: with the water on dry ground, down the bed
+    /// under standing water. `part` is the flow as a part of all water.
     pub fn downstream(&self, domain: &RasterDomain, node: usize, part: f64) -> FlowPartition {
         let ground = self.ran_over();
         if self.lake(node).is_some() {

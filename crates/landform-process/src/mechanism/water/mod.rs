@@ -1,17 +1,17 @@
 //! Water on the ground: four transports behind one interface.
 //!
 //! # Model
-//! A round brings water (rain, springs, inflow along sides), moves it, and tells what passed each node; what stands in hollows stays for
-//! the next round. *Columns* and *averages* move all the water of a round at once, down to where it stands or leaves: between rounds only
-//! standing water is left, which is what years of rain look like from a mountain's age. *Pipes* move it second by second, with momentum.
-//! The *area map* knows no amounts: every hollow is full, and area stands for water.
+//! A round brings water (rain, springs, inflow along sides), moves it, and records the water that passed each node. Water in
+//! depressions stays for the next round. *Columns* and *averages* move all the water of a round at once, down to where it stands
+//! or leaves: between rounds only standing water is left, as it appears on the time scale of mountains. *Pipes* move water in
+//! time steps, with momentum. The *area map* has no amounts: every depression is full, and drainage area replaces water.
 //!
 //! # Limits
-//! Nothing seeps in. Depth of running water is not part of the balance but for pipes.
+//! Water does not seep into the ground. Depth of running water is part of the balance for pipes only.
 //!
 //! # Sources
-//! Pytel (2015), 4.3.1 and 4.4.3. The seed moves water by one neighbour an iteration, so that its rivers are as deep as iterations are
-//! short; here a round is long against the time that water takes to the border.
+//! Pytel (2015), 4.3.1 and 4.4.3. The thesis moves water by one neighbour an iteration, so that the shorter its iterations are,
+//! the deeper its rivers get; here a round is long against the time that water takes to the border.
 
 mod input;
 mod load;
@@ -37,20 +37,20 @@ pub struct Supply<'a> {
     pub total: f64,
     /// Depth that evaporates from standing water, m.
     pub evaporation: f64,
-    /// Nodes that swallow all water; empty if none.
+    /// Sinkholes, nodes that take all water; empty if there are none.
     pub sinks: &'a [bool],
 }
 
-/// Where the water of a round went, as depths summed over nodes, m: before + entered = stored + left + evaporated.
+/// Balance of the water of a round, as depths summed over nodes, m: before + entered = stored + left + evaporated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ledger {
-    /// Stored before.
+    /// Water stored before.
     pub before: f64,
-    /// Came in.
+    /// Water that entered.
     pub entered: f64,
-    /// Stored after.
+    /// Water stored after.
     pub stored: f64,
-    /// Left over base levels and sinks.
+    /// Water that left over base levels and into sinkholes.
     pub left: f64,
     /// Evaporated.
     pub evaporated: f64,

@@ -1,13 +1,13 @@
 //! Standing water with a level: pools that fill, overflow, join and are emptied.
 //!
 //! # Method
-//! A pool floods from a pit outwards, always over the lowest node of its rim, until its water is used up or a node of the rim leads down
-//! elsewhere: its exit. A pool that would flow into one that already stands at the same pass joins it. Levels follow from the areas
-//! flooded, so they are exact whatever the volume.
+//! A pool floods from a pit outwards, always over the lowest node of its rim, until its water is used up or a node of the rim
+//! leads down elsewhere: its exit. A pool that would flow into one that already stands at the same pass joins it. Levels follow
+//! from the areas flooded, so they are exact whatever the volume.
 //!
 //! # Sources
 //! The flood is that of Priority-Flood (Barnes, Lehman & Mulla 2014) with a volume; that finite water fills, spills and merges is
-//! Barnes, Callaghan & Wickert (2021), without their hierarchy: pools come and go with the ground.
+//! Barnes, Callaghan & Wickert (2021), without their hierarchy: pools form and vanish with the ground.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -61,14 +61,14 @@ pub(super) struct Pools {
     /// The pool that a pool has joined; itself if none.
     joined: Vec<u32>,
     marks: Vec<Mark>,
-    /// Emptied small pools, for what they have allocated.
+    /// Emptied small pools, whose memory is used again.
     spare: Vec<Pool>,
-    /// Steps to a pool's exit and to its rim.
+    /// Number of steps to a pool's exit and to its rim.
     to_exit: Vec<u32>,
     to_rim: Vec<u32>,
 }
 
-/// What is known of a node.
+/// Pool and rim of a node.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
     /// Its pool, as numbered when it was flooded.
@@ -106,7 +106,7 @@ impl Around {
 }
 
 impl Pools {
-    /// Takes all water away.
+    /// Removes all water.
     pub(super) fn clear(&mut self, nodes: usize) {
         self.spare.truncate(self.pools.len());
         while let Some(pool) = self.pools.pop() {
@@ -191,7 +191,7 @@ impl Pools {
         }
     }
 
-    /// Pours depths summed over nodes (m) into a pool. What does not fit comes back, with the exit that it leaves by.
+    /// Pours depths summed over nodes (m) into a pool. Returns the water that does not fit, with the exit by which it leaves.
     pub(super) fn pour(
         &mut self,
         domain: &RasterDomain,
@@ -299,8 +299,8 @@ impl Pools {
         self.pools[pool as usize].exit.map(|e| e.from as usize)
     }
 
-    /// Calls `visit` with every node of a pool that water crosses on its way along the pool's middle to the exit, and how much. `net` is
-    /// what came into the pool at a node less what once left there, m of depth; it is used up.
+    /// Calls `visit` with every node of a pool that water crosses on its way along the pool's middle to the exit, and how much.
+    /// `net` is what came into the pool at a node less what once left there, m of depth; it is used up.
     pub(super) fn ways_through(&mut self, domain: &RasterDomain, net: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         let marks = &mut self.marks;
         for (id, pool) in self.pools.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What runs on from pools: late water, over ground where the first water has been.
+//! Overflow of pools: water that runs later than the first, over the same ground.
 
 use super::input::{OverflowEvent, RunoffInput};
 use super::pools::{DRY, Height};
@@ -6,7 +6,7 @@ use super::spread::FlowPartition;
 use super::sweep::Sweep;
 
 impl Sweep {
-    /// A pit gets a pool, with what came to it and what stood there before, which is no flow.
+    /// Makes a pool at a pit, of the water that came to it and the water that stood there before, which is no flow.
     pub(super) fn new_pool(&mut self, input: &RunoffInput, pit: usize, came: f64, stood: f64) {
         let pool = self.pools.begin(input.domain, input.ground, pit);
         self.inflow.push(0.0);
@@ -14,7 +14,7 @@ impl Sweep {
         self.net[pit] -= stood;
     }
 
-    /// Fills pools and lets run on what leaves them, the highest first, until all stands or has left.
+    /// Fills pools and routes their overflow, the highest first, until all water stands or has left.
     pub(super) fn route_overflow(&mut self, input: &RunoffInput) {
         while let Some((_, late)) = self.queue.pop() {
             match late {
@@ -35,7 +35,7 @@ impl Sweep {
         }
     }
 
-    /// Late water at a node runs on.
+    /// Routes overflow on from a node.
     fn route_from(&mut self, input: &RunoffInput, i: usize) {
         let water = std::mem::take(&mut self.late[i]);
         self.passed[i] += water;
@@ -48,7 +48,7 @@ impl Sweep {
             self.send_to_pool(pool, i, water);
             return;
         }
-        // Standing water counts with its surface.
+        // Standing water counts by its surface.
         let mut lower =
             FlowPartition::from_neighbours(input.domain, input.ground, i, |to| self.pools.surface(input.ground, to));
         if lower.is_empty() {
@@ -59,7 +59,7 @@ impl Sweep {
         for (j, share) in lower.weights() {
             let amount = water * share;
             if amount == 0.0 {
-                // Divided until nothing was left: it must not wake anyone.
+                // Divided until nothing was left: it must cause no further event.
                 continue;
             }
             match self.pools.at(j) {

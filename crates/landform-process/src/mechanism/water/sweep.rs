@@ -1,13 +1,14 @@
 //! Runoff: all the water of a round runs down in one sweep.
 //!
 //! # Method
-//! Every node passes on what reached it once all higher neighbours have, shared among its lower neighbours by a [`Rule`]. Nodes are taken
-//! as they get ready, the last first: a sweep runs down slopes, not from place to place by height, and finds what it needs in the cache.
-//! What reaches pits then makes [`Pools`], and what leaves a pool by its exit runs on from there, the highest first (`runoff`). What
-//! pools hold stays for the next round. Heights are rounded to 2⁻²² m, and level ground is tilted by a few units of the last place: water on it has a way, not a way for every error of rounding.
+//! Once all its higher neighbours have done so, a node passes on its water, shared among its lower neighbours by a [`Rule`].
+//! Nodes are taken as they get ready, the last first: a sweep runs down slopes rather than in order of height, and finds what it
+//! needs in the cache. Water that reaches pits then makes [`Pools`]. Water that leaves a pool by its exit runs on from there, the
+//! highest first (`runoff`). Water in pools stays for the next round. Heights are rounded to 2⁻²² m, and level ground is tilted
+//! by a few units of the last place, so that rounding errors do not decide the path of water on it.
 //!
-//! **Cost** O(n) for the sweep, O(log m) for each of the m nodes under standing water or below its exits, which late water may pass more
-//! than once (on rough ground 1.1 times in the mean). One thread: every node waits for those above it.
+//! **Cost** O(n) for the sweep, O(log m) for each of the m nodes under standing water or below its exits, which overflow may pass
+//! more than once (on rough ground 1.1 times in the mean). One thread: every node waits for those above it.
 
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -25,18 +26,18 @@ use super::{Ledger, Supply};
 #[derive(Clone, Debug)]
 pub struct Sweep {
     pub(super) rule: Rule,
-    /// Nodes as the sweep took them.
+    /// Nodes in the order of the sweep.
     pub(super) order: Vec<u32>,
     pub(super) pools: Pools,
-    /// What passed each node, m of depth.
+    /// Water that passed each node, m of depth.
     pub(super) passed: Vec<f64>,
-    /// Late water for nodes, m of depth, and what has any, by height.
+    /// Overflow for nodes, m of depth, and the nodes and pools that have any, by height.
     pub(super) late: Vec<f64>,
     pub(super) queue: BinaryHeap<(Height, OverflowEvent)>,
     /// Water for pools, m of depth, by pool.
     pub(super) inflow: Vec<f64>,
     pub(super) left: f64,
-    /// What came into a pool at each node less what left there, m of depth.
+    /// Water that entered a pool at each node less the water that left there, m of depth.
     pub(super) net: Vec<f64>,
     table: NeighbourTable,
     /// The ground without what is less than a grain, and with its flats tilted.
@@ -61,12 +62,12 @@ impl Sweep {
         }
     }
 
-    /// What passed each node in the last round, m of depth over the node.
+    /// Water that passed each node in the last round, m of depth over the node.
     pub fn passed(&self) -> &[f64] {
         &self.passed
     }
 
-    /// The ground that the last round ran over, within a micrometre of what it was given.
+    /// The ground that the last round ran over, within a micrometre of its input.
     pub fn ran_over(&self) -> &[f64] {
         &self.even
     }
@@ -104,7 +105,7 @@ impl Sweep {
             let stood = held.remove(&pit).unwrap_or(0.0);
             self.new_pool(input, pit as usize, self.passed[pit as usize], stood);
         }
-        // Hollows that nothing else came to.
+        // Depressions that no other water reached.
         for (pit, stood) in held {
             if input.is_end(pit as usize) {
                 self.left += stood;
@@ -122,8 +123,8 @@ impl Sweep {
         ledger
     }
 
-    /// Takes the standing water up, pool by pool: what held a hollow is kept for its lowest node, the rest of it (where the ground gave
-    /// way since) runs off with the rain.
+    /// Takes up the standing water, pool by pool: water that a depression still holds is kept for its lowest node, the rest
+    /// (where the ground was eroded since) runs off with the rain.
     fn take_up(&mut self, input: &RunoffInput, standing: &mut [f64], ledger: &mut Ledger) -> BTreeMap<u32, f64> {
         let RunoffInput { domain, ground, supply } = input;
         let mut held = BTreeMap::new();
@@ -164,7 +165,7 @@ impl Sweep {
         held
     }
 
-    /// Lets the first water run down, over dry ground. Returns the pits that any has come to.
+    /// Routes the first water down over dry ground. Returns the pits that water has reached.
     fn route_runoff(&mut self, input: &RunoffInput) -> Vec<u32> {
         let mut table = std::mem::take(&mut self.table);
         table.build(input.domain, input.ground);
@@ -185,7 +186,7 @@ impl Sweep {
         pits
     }
 
-    /// A node passes on what has come to it.
+    /// A node passes on the water that has reached it.
     #[inline]
     fn pass_on(&mut self, input: &RunoffInput, table: &NeighbourTable, i: usize, pits: &mut Vec<u32>) {
         let water = self.passed[i];
@@ -211,7 +212,7 @@ impl Sweep {
         lower.weights().for_each(|(j, share)| self.passed[j] += water * share);
     }
 
-    /// What has passed a node, as a part of all that came in.
+    /// Water that has passed a node, as a part of all that entered.
     #[inline]
     pub(super) fn part(&self, input: &RunoffInput, i: usize) -> f64 {
         (self.passed[i] / input.supply.total).min(1.0)

@@ -268,8 +268,8 @@ fn strips_of_pipes_join_without_a_seam() {
 
 #[test]
 fn water_crosses_a_plain_as_fast_towards_any_side() {
-    // A level plain with a hill in a corner and its opposite side open: nodes are taken in the order of their tilt, so that all that falls
-    // leaves, whichever way the plain is turned.
+    // A level plain with a hill in a corner and its opposite side open: nodes are taken in the order of their tilt, so that all
+    // that falls leaves, whichever way the plain is turned.
     let n = 60;
     for turned in [false, true] {
         let (_, z) = ground(Edge::Closed, n, n, |x, y| {

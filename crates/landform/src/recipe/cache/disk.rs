@@ -12,7 +12,7 @@ use landform_io::files::{read_whole, write_whole};
 use crate::recipe::AnyTerrain;
 
 const EXTENSION: &str = "lfc";
-/// What the name of a file that tells how a terrain came to be ends with.
+/// Suffix of the file that holds the history of a terrain.
 const EVENT: &str = "-event";
 
 /// A folder of terrains.
@@ -71,9 +71,10 @@ impl Disk {
     }
 
     /// Forgets a key, whose files turned out to be damaged.
-    pub(super) fn forget(&self, key: &str) {
-        fs::remove_file(self.path(key)).ok();
+    pub(super) fn forget(&self, key: &str) -> bool {
+        let gone = fs::remove_file(self.path(key)).is_ok();
         fs::remove_file(self.event_path(key)).ok();
+        gone
     }
 
     pub(super) fn store(&self, key: &str, terrain: &AnyTerrain, event: &Event) -> Result<()> {
@@ -84,7 +85,7 @@ impl Disk {
         Ok(())
     }
 
-    /// What is kept, the most recently used first.
+    /// The terrains that are kept, the most recently used first.
     pub(super) fn kept(&self) -> Result<Vec<Kept>> {
         let entries = match fs::read_dir(&self.folder) {
             Ok(entries) => entries,
@@ -107,7 +108,7 @@ impl Disk {
         Some(Kept { stage, bytes: meta.len() + event, used: meta.modified().ok()?, key })
     }
 
-    /// Removes everything; tells how many bytes became free.
+    /// Removes everything; returns how many bytes became free.
     pub(super) fn clear(&self) -> Result<u64> {
         let kept = self.kept()?;
         for item in &kept {
@@ -118,17 +119,18 @@ impl Disk {
         Ok(kept.iter().map(|item| item.bytes).sum())
     }
 
-    /// Removes what was used least recently beyond the limit; tells how many bytes became free. What cannot be removed is left.
+    /// Removes the least recently used terrains beyond the limit; returns how many bytes became free. Files that cannot be
+    /// removed are left.
     pub(super) fn trim(&self) -> u64 {
         let mut kept = self.kept().unwrap_or_default();
         let mut total: u64 = kept.iter().map(|item| item.bytes).sum();
-        let before = total;
+        let mut freed = 0;
         while total > self.most_bytes {
             let Some(oldest) = kept.pop() else { break };
-            self.forget(&oldest.key);
+            freed += if self.forget(&oldest.key) { oldest.bytes } else { 0 };
             total -= oldest.bytes;
         }
-        before - total
+        freed
     }
 }
 
@@ -136,7 +138,7 @@ impl Disk {
 mod tests {
     use super::*;
     use landform_core::grid::{Grid, Shape};
-    use landform_core::terrain::{HeightField, Held};
+    use landform_core::terrain::{HeightField, Representation};
 
     #[test]
     #[allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]

@@ -29,7 +29,7 @@ impl Memory {
     }
 
     fn items(&self) -> MutexGuard<'_, Vec<Item>> {
-        // A list that somebody panicked over is still a list.
+        // A list is still valid after a panic of another thread.
         self.items.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -73,7 +73,7 @@ impl Memory {
 mod tests {
     use super::*;
     use landform_core::grid::{Grid, Shape};
-    use landform_core::terrain::{HeightField, Held};
+    use landform_core::terrain::{HeightField, Representation};
 
     #[test]
     #[allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]

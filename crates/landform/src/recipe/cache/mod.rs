@@ -16,7 +16,7 @@ pub use disk::Kept;
 pub(super) use key::{input_paths, key};
 use memory::Memory;
 
-/// Terrains after each stage, kept between runs. What was used least recently goes first, in memory and on disk.
+/// Terrains after each stage, kept between runs. The least recently used terrains are removed first, in memory and on disk.
 ///
 /// ```
 /// use landform::core::verb::MemoryOutput;
@@ -43,11 +43,11 @@ pub struct Cache {
     disk: Option<Disk>,
 }
 
-/// Bytes that a cache on disk has at most, if nobody says otherwise.
+/// Default limit of a cache on disk, bytes.
 pub const CACHE_LIMIT: u64 = 4 << 30;
 
 impl Cache {
-    /// A cache in memory alone, of so many bytes.
+    /// A cache in memory alone, of `bytes` bytes.
     pub fn in_memory(bytes: u64) -> Self {
         Self { memory: Memory::of(bytes), disk: None }
     }
@@ -57,20 +57,20 @@ impl Cache {
         Self { memory: Memory::default(), disk: Some(Disk::new(folder, CACHE_LIMIT)) }
     }
 
-    /// So many bytes in memory before those on disk.
+    /// Sets the number of bytes in memory before those on disk.
     #[must_use]
     pub fn with_memory(self, bytes: u64) -> Self {
         Self { memory: Memory::of(bytes), ..self }
     }
 
-    /// At most so many bytes on disk.
+    /// Sets the greatest number of bytes on disk.
     #[must_use]
     pub fn with_limit(mut self, bytes: u64) -> Self {
         self.disk = self.disk.map(|disk| disk.with_limit(bytes));
         self
     }
 
-    /// What is on disk, the most recently used first.
+    /// The terrains on disk, the most recently used first.
     ///
     /// # Errors
     /// [`Error::Io`] if the folder cannot be read.
@@ -78,7 +78,7 @@ impl Cache {
         self.disk.as_ref().map_or(Ok(Vec::new()), Disk::kept)
     }
 
-    /// Forgets everything; tells how many bytes became free on disk.
+    /// Removes everything; returns how many bytes became free on disk.
     ///
     /// # Errors
     /// [`Error::Io`] if a file cannot be removed.
@@ -87,7 +87,7 @@ impl Cache {
         self.disk.as_ref().map_or(Ok(0), Disk::clear)
     }
 
-    /// Removes what was used least recently, down to the limit; tells how many bytes became free on disk.
+    /// Removes the least recently used terrains, down to the limit; returns how many bytes became free on disk.
     pub fn trim(&self) -> u64 {
         self.disk.as_ref().map_or(0, Disk::trim)
     }
@@ -121,7 +121,9 @@ impl Cache {
     /// Forgets a key, whose files turned out to be damaged.
     pub(super) fn forget(&self, key: &str) {
         self.memory.forget(key);
-        self.disk.iter().for_each(|disk| disk.forget(key));
+        self.disk.iter().for_each(|disk| {
+            disk.forget(key);
+        });
     }
 
     pub(super) fn store(&self, key: &str, terrain: &Arc<AnyTerrain>, event: &Event) -> Result<()> {

@@ -1,4 +1,4 @@
-//! A step for some rows, from the first to the last: what a row needs of its neighbours is kept in a window that moves along.
+//! A step for some rows, from the first to the last: the values that a row needs of its neighbours are kept in a moving window.
 
 use std::ops::Range;
 
@@ -54,7 +54,7 @@ struct Window {
     east: [Vec<f64>; 2],
     /// Volumes to the south in rows r - 1 and r.
     south: [Vec<f64>; 2],
-    /// Parts of their outflow that columns have, in rows r - 1 and r; one column after the row.
+    /// Fractions of their outflow that columns hold, in rows r - 1 and r; one column after the row.
     gives: [Vec<f64>; 2],
     /// What really crosses to the east in row r - 1; one column before the row.
     real_east: Vec<f64>,
@@ -66,7 +66,7 @@ struct Window {
 pub(super) fn step(before: &Before<'_>, first: usize, after: &mut After<'_>) -> f64 {
     let cols = before.cols;
     let last = first + after.water.len() / cols;
-    // The two rows before and the one after tell what crosses the strip's sides.
+    // The two rows before and the one after give the flow across the strip's sides.
     let begin = first.saturating_sub(2);
     let mut window = Window::new(before, begin);
     let mut fastest: f64 = 0.0;
