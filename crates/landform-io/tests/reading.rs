@@ -1,4 +1,4 @@
-//! What files and their neighbours say is heeded, or told.
+//! What files and their neighbours say is used, or noted.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
 
@@ -70,7 +70,7 @@ fn save(folder: &Folder, name: &str, field: &HeightField) -> PathBuf {
     folder.put(name, (format.write)(&file).unwrap())
 }
 
-fn told(reading: &Reading, text: &str) -> bool {
+fn noted(reading: &Reading, text: &str) -> bool {
     reading.notes.iter().any(|n| n.contains(text))
 }
 
@@ -184,7 +184,7 @@ fn absent_tiles_are_nodata_or_zero() {
     assert!(found.notes.is_empty(), "{:?}", found.notes);
     let found = folder.read("b.tif", tiff().bytes());
     assert_eq!((found.field.nodata_count(), found.field.elevation()[19]), (0, 0.0));
-    assert!(told(&found, "1 strips or tiles are absent"));
+    assert!(noted(&found, "1 strips or tiles are absent"));
 }
 
 #[test]
@@ -226,7 +226,7 @@ fn white_may_be_the_least_and_bands_may_lie_apart() {
     let planes = Tiff::new(16, 1, 2, vec![tens(), vec![0xFF; 24]]).with(284, Value::Short(vec![2]));
     let found = folder.read("planes.tif", planes.bytes());
     assert_eq!(found.field.elevation(), tens_f64());
-    assert!(told(&found, "the first of 2 bands"));
+    assert!(noted(&found, "the first of 2 bands"));
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn items_of_other_bands_do_not_count() {
     assert_eq!(found.field.elevation(), tens_f64());
     let items = r#"<GDALMetadata><Item name="UNITTYPE" sample="0" role="unittype">ft</Item></GDALMetadata>"#;
     let found = folder.read("b.tif", Tiff::new(16, 1, 1, vec![tens()]).with(42_112, Value::Text(items)).bytes());
-    assert!((found.field.elevation()[11] - 110.0 * 0.3048).abs() < 1e-9 && told(&found, "0.3048 m"));
+    assert!((found.field.elevation()[11] - 110.0 * 0.3048).abs() < 1e-9 && noted(&found, "0.3048 m"));
 }
 
 fn keyed(entries: &[[u16; 4]]) -> Tiff {
@@ -407,7 +407,7 @@ fn world_files_and_notes_of_gdal_place_a_raster() {
     folder.put("e.prj", r#"PROJCS["x",GEOGCS["y"],UNIT["Foot_US",0.3048006096012192]]"#);
     folder.put("e.tfw", "30\n0\n0\n-30\n0\n0\n");
     assert!(folder.refusal("e.tif", bare()).contains("not in metres"));
-    assert!(told(&folder.read("f.tif", bare()), "nothing says how large its cells are"));
+    assert!(noted(&folder.read("f.tif", bare()), "nothing says how large its cells are"));
 }
 
 #[test]
@@ -437,13 +437,13 @@ fn nearby_json_is_no_sidecar_unless_it_fits() {
     folder.put("a.json", r#"{"width":"12","scale":[1,2]}"#);
     assert_eq!(folder.read("a.tif", written("a.tif", &field(utm(), false))).field.elevation()[0], 100.0);
     let found = folder.read("a.png", written("a.png", &field(utm(), false)));
-    assert!(told(&found, "a.json beside it was not heeded"));
+    assert!(noted(&found, "a.json beside it was not used"));
     folder.put("b.json", r#"{"scale":5000,"height":2600,"width":5000}"#);
     let text = folder.refusal("b.png", written("b.png", &field(utm(), false)));
     assert!(text.contains("5000 x 2600") && text.contains("4 x 3") && text.contains("b.json"), "{text}");
     folder.put("c.json", r#"{"scale":2,"height":3,"width":4}"#);
     let found = folder.read("c.png", written("c.png", &field(utm(), false)));
-    assert!(told(&found, "c.json beside it was heeded") && found.field.elevation()[11] == 131_070.0);
+    assert!(noted(&found, "c.json beside it was used") && found.field.elevation()[11] == 131_070.0);
     folder.put("d.json", r#"{"author":"someone"}"#);
     assert_eq!(
         folder.read("d.png", written("d.png", &field(utm(), false))).notes.len(),
@@ -503,7 +503,7 @@ fn arrays_of_every_plain_type_are_read() {
     }
     let data = [1.0_f32, f32::INFINITY, 3.0].into_iter().flat_map(f32::to_le_bytes).collect::<Vec<u8>>();
     let found = folder.read("b.npy", npy("<f4", "(1, 3)", &data));
-    assert!(found.field.nodata_count() == 1 && told(&found, "1 number is infinite"));
+    assert!(found.field.nodata_count() == 1 && noted(&found, "1 number is infinite"));
     let text = folder.refusal("c.npy", npy("<f4", "(2, 2, 2)", &[0; 32]));
     assert!(text.contains("3 dimensions") && text.contains("array[0]"), "{text}");
     assert!(folder.refusal("d.npy", npy("<f2", "(1, 3)", &[0; 4])).contains("truncated"));
@@ -576,7 +576,7 @@ fn channels_of_heights_are_found_by_name() {
     };
     let found = folder.read("a.exr", write(vec![layer("x", &[("A", 1.0), ("height", 100.0)])]));
     assert_eq!(found.field.elevation(), [100.0, 101.0]);
-    assert!(told(&found, "channel height of A, height is taken"));
+    assert!(noted(&found, "channel height of A, height is taken"));
     let parts = vec![layer("mask", &[("A", 1.0)]), layer("ground", &[("Y", 100.0)])];
     assert_eq!(folder.read("b.exr", write(parts)).field.elevation(), [100.0, 101.0]);
     let text = folder.refusal("c.exr", write(vec![layer("x", &[("A", 1.0)])]));
@@ -595,7 +595,7 @@ fn coordinates_without_a_system_are_degrees_only_if_they_look_so() {
     {
         let found = folder.read("a.asc", text(cell, 10.0));
         assert_eq!(found.field.grid().georeference.geographic, degrees, "{cell}");
-        assert_eq!(told(&found, "taken as degrees"), degrees);
+        assert_eq!(noted(&found, "taken as degrees"), degrees);
     }
     // A sidecar that says metres is believed.
     let mut small = field(Georeference::default(), false).grid().clone();

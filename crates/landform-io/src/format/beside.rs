@@ -44,7 +44,7 @@ pub(super) fn sidecar(path: &Path) -> Result<Found> {
     let Some(text) = small(&foreign) else { return Ok(Found::default()) };
     let name = file_name(&foreign);
     let Ok(sidecar) = Sidecar::parse(text.as_bytes()) else {
-        let notes = vec![format!("{name} beside it was not heeded: it is no sidecar")];
+        let notes = vec![format!("{name} beside it was not used: it is no sidecar")];
         return Ok(Found { sidecar: None, notes });
     };
     // What says nothing of a raster is not one's sidecar.
@@ -53,7 +53,7 @@ pub(super) fn sidecar(path: &Path) -> Result<Found> {
         return Ok(Found::default());
     }
     let is_ours = sidecar.program.as_deref().is_some_and(|p| p.starts_with("landform"));
-    let notes = if is_ours { Vec::new() } else { vec![format!("{name} beside it was heeded as its sidecar")] };
+    let notes = if is_ours { Vec::new() } else { vec![format!("{name} beside it was used as its sidecar")] };
     Ok(Found { sidecar: Some((foreign, sidecar)), notes })
 }
 
@@ -70,7 +70,7 @@ pub(super) fn look(format: &'static str, path: &Path, shape: Shape) -> Result<Be
         if let Some(text) = small(&world) {
             match world_file(format, &text, shape)? {
                 Some(placement) => beside.said.push(Said { placement: Some(placement), ..Said::default() }),
-                None => beside.notes.push(format!("{} was not heeded: it is no world file", file_name(&world))),
+                None => beside.notes.push(format!("{} was not used: it is no world file", file_name(&world))),
             }
         }
     }
@@ -78,7 +78,7 @@ pub(super) fn look(format: &'static str, path: &Path, shape: Shape) -> Result<Be
         match wkt::system(&text) {
             Some(system) => beside.said.push(Said { system: Some(system), ..Said::default() }),
             None => beside.notes.push(format!(
-                "{} was not heeded: it is no well-known text of a coordinate system",
+                "{} was not used: it is no well-known text of a coordinate system",
                 file_name(&path.with_extension("prj"))
             )),
         }

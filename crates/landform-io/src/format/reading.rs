@@ -2,8 +2,8 @@
 //!
 //! # Method
 //! What the file says comes first, then what lies beside it. Samples are struck out by the mask, by nodata and where no
-//! elevation can be so great; then scale, offset and unit make metres of them. What was supposed, and what was not heeded, is
-//! told in notes.
+//! elevation can be so great; then scale, offset and unit make metres of them. What was supposed, and what was not used, is
+//! noted.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ pub const UNPLACED: &str = "nothing says how large its cells are: taken as 1 m";
 pub struct Reading {
     /// The ground.
     pub field: HeightField,
-    /// What was supposed, changed or not heeded.
+    /// What was supposed, changed or not used.
     pub notes: Vec<String>,
 }
 
@@ -40,14 +40,14 @@ pub(super) struct Beside {
     pub(super) said: Vec<Said>,
     /// Which samples are data.
     pub(super) valid: Option<Vec<bool>>,
-    /// What was not heeded.
+    /// What was not used.
     pub(super) notes: Vec<String>,
 }
 
 /// What the numbers of a file mean.
 ///
 /// # Errors
-/// [`Error::Format`] where what is said cannot be heeded, [`Error::Empty`] without any data.
+/// [`Error::Format`] where what is said cannot be followed, [`Error::Empty`] without any data.
 pub(super) fn decide(format: &'static str, stored: Stored, beside: Beside) -> Result<Reading> {
     let Stored { shape, mut samples, valid, said, mut notes } = stored;
     notes.extend(beside.notes);
@@ -228,8 +228,8 @@ mod tests {
     fn nodata_that_is_not_marked_is_told_and_stays() {
         let found = read(&[1.0, -9999.0, -9999.0, -32_768.0], Said::default());
         assert_eq!(found.field.nodata_count(), 0);
-        let told = |text: &str| found.notes.iter().any(|n| n.starts_with(text));
-        assert!(told("2 nodes are exactly -9999") && told("1 node is exactly -32768"), "{:?}", found.notes);
+        let noted = |text: &str| found.notes.iter().any(|n| n.starts_with(text));
+        assert!(noted("2 nodes are exactly -9999") && noted("1 node is exactly -32768"), "{:?}", found.notes);
         assert!(!read(&[1.0, 2.0], Said::default()).notes.iter().any(|n| n.contains("nodata")));
     }
 
