@@ -16,6 +16,7 @@ const CORE_RANKS: &[(&str, u32)] = &[
     ("math", 1),
     ("random", 1),
     ("parallel", 1),
+    ("recent", 1),
     ("feature", 2),
     ("grid", 2),
     ("field", 3),

@@ -71,7 +71,6 @@ pub(crate) fn salt() -> String {
 fn check_files(recipe: &Recipe, folder: &Folder, args: &Args) -> Result<()> {
     if !args.allow_outside {
         // Nothing is kept beyond a link either.
-        folder.check(".state")?;
         let state = args.output.join(".landform");
         if std::fs::symlink_metadata(&state).is_ok_and(|meta| meta.is_symlink()) {
             let what =

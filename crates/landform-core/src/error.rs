@@ -163,13 +163,10 @@ impl Error {
     }
 
     /// Several errors as one; the only one as itself.
-    pub fn several(mut errors: Vec<Self>) -> Self {
-        match (errors.len(), errors.pop()) {
-            (1, Some(only)) => only,
-            (_, last) => {
-                errors.extend(last);
-                Self::Several(errors)
-            }
+    pub fn several(errors: Vec<Self>) -> Self {
+        match <[Self; 1]>::try_from(errors) {
+            Ok([only]) => only,
+            Err(errors) => Self::Several(errors),
         }
     }
 

@@ -26,6 +26,7 @@ pub mod grid;
 pub mod math;
 pub mod parallel;
 pub mod random;
+pub mod recent;
 pub mod sim;
 pub mod stage;
 pub mod terrain;

@@ -82,14 +82,7 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
     /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
     /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
-        parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
-            for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
-                let node = first + k;
-                let is_interior = self.status()[node] == Status::Interior;
-                let steepest = if is_interior { self.steepest(elevation, node) } else { None };
-                (*r, *s) = steepest.map_or((node as u32, NO_SLOT), |(to, slot)| (to as u32, slot));
-            }
-        });
+        write_receivers(self, receiver, slot, |node| self.steepest(elevation, node));
     }
 
     /// Writes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`]) form more than one arc, else 0.
@@ -120,6 +113,24 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
             }
         }
     }
+}
+
+/// Writes the receiver of each interior node and its slot, as `find` says; other nodes, and those for which it finds none, become
+/// their own, with [`NO_SLOT`].
+pub(crate) fn write_receivers<D: Domain>(
+    domain: &D,
+    receiver: &mut [u32],
+    slot: &mut [u8],
+    find: impl Fn(usize) -> Option<(usize, u8)> + Sync,
+) {
+    let status = domain.status();
+    parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
+        for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
+            let node = first + k;
+            let found = if status[node] == Status::Interior { find(node) } else { None };
+            (*r, *s) = found.map_or((node as u32, NO_SLOT), |(to, slot)| (to as u32, slot));
+        }
+    });
 }
 
 /// Steepest descent at one node by its list of links: the definition that faster kernels must agree with.

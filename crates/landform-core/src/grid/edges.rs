@@ -82,16 +82,17 @@ impl Edges {
         at.iter().zip(edges).filter(|(at, edge)| **at && *edge == Edge::Open).count()
     }
 
-    /// Closes sides at which a raster is cut (north, south, west, east); a periodic side closes with the opposite one.
-    pub(super) fn cut(self, [north, south, west, east]: [bool; 4]) -> Self {
-        let closed = |edge: Edge, here: bool, opposite: bool| {
-            if here || (opposite && edge == Edge::Periodic) { Edge::Closed } else { edge }
+    /// What the sides do where a raster is cut (north, south, west, east): those that are cut become `to`, and a periodic side with
+    /// the opposite one.
+    pub fn cut(self, [north, south, west, east]: [bool; 4], to: Edge) -> Self {
+        let after = |edge: Edge, here: bool, opposite: bool| {
+            if here || (opposite && edge == Edge::Periodic) { to } else { edge }
         };
         Self {
-            north: closed(self.north, north, south),
-            south: closed(self.south, south, north),
-            west: closed(self.west, west, east),
-            east: closed(self.east, east, west),
+            north: after(self.north, north, south),
+            south: after(self.south, south, north),
+            west: after(self.west, west, east),
+            east: after(self.east, east, west),
         }
     }
 

@@ -143,21 +143,6 @@ impl Domain for Graph {
         (at != usize::MAX).then(|| (self.to[row.start + at] as usize, at as u8))
     }
 
-    fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
-        parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
-            for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
-                let node = first + k;
-                (*r, *s) = (node as u32, NO_SLOT);
-                if self.status[node] != Status::Interior {
-                    continue;
-                }
-                if let Some((to, slot)) = self.steepest(elevation, node) {
-                    (*r, *s) = (to as u32, slot);
-                }
-            }
-        });
-    }
-
     fn saddles(&self, elevation: &[f64], saddle: &mut [u8]) {
         parallel::update(saddle, |node, saddle| {
             let row = self.row(node);

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Edges, Georeference, Shape};
+use super::{Edge, Edges, Georeference, Shape};
 use crate::{Error, Result};
 
 /// Regular grid of nodes (values at vertices). Row 0 is the north edge, column 0 the west edge:
@@ -108,26 +108,29 @@ impl Grid {
     /// x of a column, m.
     #[inline]
     pub fn x(&self, col: usize) -> f64 {
-        let (west, first) = self.frame.map_or((self.origin[0], 0), |frame| (frame.origin[0], frame.first[1]));
+        let ([west, _], [_, first]) = self.corner();
         west + (first + col) as f64 * self.spacing[0]
     }
 
     /// y of a row, m.
     #[inline]
     pub fn y(&self, row: usize) -> f64 {
-        let (north, first) = self.frame.map_or((self.origin[1], 0), |frame| (frame.origin[1], frame.first[0]));
+        let ([_, north], [first, _]) = self.corner();
         north - (first + row) as f64 * self.spacing[1]
+    }
+
+    /// North-west corner of the whole, and the row and column of it at which this grid begins.
+    #[inline]
+    fn corner(&self) -> ([f64; 2], [usize; 2]) {
+        self.frame.map_or((self.origin, [0, 0]), |frame| (frame.origin, frame.first))
     }
 
     /// Column and row, as real numbers, of a position.
     #[inline]
     pub fn col_row(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        if let Some(Frame { origin, first: [row, col], .. }) = self.frame {
-            // Less a whole number: not a bit of the fraction is lost.
-            let (u, v) = ((x - origin[0]) / self.spacing[0], (origin[1] - y) / self.spacing[1]);
-            return [u - col as f64, v - row as f64];
-        }
-        [(x - self.origin[0]) / self.spacing[0], (self.origin[1] - y) / self.spacing[1]]
+        let ([west, north], [row, col]) = self.corner();
+        // Less a whole number: not a bit of the fraction is lost.
+        [(x - west) / self.spacing[0] - col as f64, (north - y) / self.spacing[1] - row as f64]
     }
 
     /// The node nearest to a position inside the raster.
@@ -179,14 +182,19 @@ impl Grid {
         let (shape, origin, edges) = (self.shape, self.origin, self.edges);
         let whole = self.frame.unwrap_or(Frame { shape, origin, edges, first: [0, 0] });
         let frame = Frame { first: [whole.first[0] + north, whole.first[1] + west], ..whole };
-        let cut = [north > 0, last[0] + 1 < rows, west > 0, last[1] + 1 < cols];
         Ok(Self {
             shape: Shape::new(last[0] - north + 1, last[1] - west + 1),
             origin: self.position(self.shape.index(north, west)),
-            edges: edges.cut(cut),
+            edges: edges.cut(self.sides_cut(first, last), Edge::Closed),
             frame: Some(frame),
             ..self.clone()
         })
+    }
+
+    /// Which sides (north, south, west, east) rows and columns from the first to the last do not reach.
+    pub fn sides_cut(&self, first: [usize; 2], last: [usize; 2]) -> [bool; 4] {
+        let Shape { rows, cols } = self.shape;
+        [first[0] > 0, last[0] + 1 < rows, first[1] > 0, last[1] + 1 < cols]
     }
 
     /// First and last row and column of the nodes within a rectangle (its south-west and north-east corner, m) and a margin of

@@ -23,8 +23,8 @@ mod neighbours;
 mod raster;
 mod shape;
 
-pub(crate) use domain::is_below;
 pub use domain::{Domain, NO_SLOT, Status};
+pub(crate) use domain::{is_below, write_receivers};
 pub use edges::{Edge, Edges, Side};
 pub use georeference::{Degrees, GeoKeys, Georeference, Registration};
 pub use graph::Graph;

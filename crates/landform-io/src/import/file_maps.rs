@@ -5,47 +5,43 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::SystemTime;
 
+use landform_core::recent::Recent;
 use landform_core::terrain::HeightField;
 use landform_core::verb::{Image, Maps};
 use landform_core::{Error, Result};
 
 use crate::files::read_whole;
-use crate::format::{read_grey, read_raster};
+use crate::format::{Reading, read_grey, read_raster};
 
 /// Greatest number of bytes of rasters that are kept.
-const MOST_BYTES: usize = 1 << 30;
+const MOST_BYTES: u64 = 1 << 30;
 
 /// Reads maps from disk, each once: a raster is kept until rasters that were read later need the memory.
 #[derive(Debug)]
 pub struct FileMaps {
     folder: PathBuf,
-    /// The most recently used last.
-    rasters: Mutex<Vec<Kept>>,
+    rasters: Recent<File, Arc<HeightField>>,
     /// What files say that is not followed, and what was assumed.
     notes: Mutex<Vec<String>>,
 }
 
-#[derive(Debug)]
-struct Kept {
-    path: PathBuf,
-    stamp: Option<(u64, SystemTime)>,
-    raster: Arc<HeightField>,
-}
+/// A file as it was: its path, and what tells that it is still the same.
+type File = (PathBuf, Option<(u64, SystemTime)>);
 
 impl FileMaps {
     /// Paths are relative to this folder.
     pub fn new(folder: &Path) -> Self {
-        Self { folder: folder.into(), rasters: Mutex::default(), notes: Mutex::default() }
+        Self { folder: folder.into(), rasters: Recent::of(MOST_BYTES), notes: Mutex::default() }
     }
 
     /// Notes of the readers since the last call: what a file says that is not followed, and what was assumed.
     pub fn take_notes(&self) -> Vec<String> {
-        std::mem::take(&mut *self.notes.lock().unwrap_or_else(PoisonError::into_inner))
+        std::mem::take(&mut *self.notes())
     }
 
-    fn rasters(&self) -> MutexGuard<'_, Vec<Kept>> {
-        // A list is still valid after a panic of another thread.
-        self.rasters.lock().unwrap_or_else(PoisonError::into_inner)
+    fn notes(&self) -> MutexGuard<'_, Vec<String>> {
+        // A list that somebody panicked over is still a list.
+        self.notes.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -70,28 +66,15 @@ impl Maps for FileMaps {
 
     fn raster(&self, path: &Path) -> Result<Arc<HeightField>> {
         let path = self.folder.join(path);
-        let now = stamp(&path);
-        let mut rasters = self.rasters();
-        if let Some(at) = rasters.iter().position(|kept| kept.path == path && kept.stamp == now && now.is_some()) {
-            let kept = rasters.remove(at);
-            let raster = kept.raster.clone();
-            rasters.push(kept);
+        let file = (path.clone(), stamp(&path));
+        if let Some(raster) = file.1.and_then(|_| self.rasters.find(&file)) {
             return Ok(raster);
         }
-        drop(rasters);
-        let reading = read_raster(&path)?;
+        let Reading { field, notes } = read_raster(&path)?;
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let mut notes = self.notes.lock().unwrap_or_else(PoisonError::into_inner);
-        notes.extend(reading.notes.iter().map(|note| format!("{name}: {note}")));
-        drop(notes);
-        let raster = Arc::new(reading.field);
-        let mut rasters = self.rasters();
-        rasters.retain(|kept| kept.path != path);
-        rasters.push(Kept { path, stamp: now, raster: raster.clone() });
-        let mut bytes: usize = rasters.iter().map(|kept| 8 * kept.raster.grid().len()).sum();
-        while bytes > MOST_BYTES {
-            bytes -= 8 * rasters.remove(0).raster.grid().len();
-        }
+        self.notes().extend(notes.iter().map(|note| format!("{name}: {note}")));
+        let raster = Arc::new(field);
+        self.rasters.keep(file, raster.clone(), 8 * raster.grid().len() as u64);
         Ok(raster)
     }
 }

@@ -45,41 +45,22 @@ impl Edit<HeightField> for Crop {
                 &format!("a part of the ground, which lies at {w}, {s}, {e}, {n} m"),
             ));
         };
-        let (shape, whole) = (grid.shape, grid.edges);
-        let [cut_north, cut_west] = first.map(|at| at > 0);
-        let [cut_south, cut_east] = [last[0] + 1 < shape.rows, last[1] + 1 < shape.cols];
-        let side = |edge: Edge, cut: bool, opposite: bool| {
-            if cut || (opposite && edge == Edge::Periodic) { Edge::Open } else { edge }
-        };
-        let edges = Edges {
-            north: side(whole.north, cut_north, cut_south),
-            south: side(whole.south, cut_south, cut_north),
-            west: side(whole.west, cut_west, cut_east),
-            east: side(whole.east, cut_east, cut_west),
-        };
-        let chosen = terrain.chosen_status().is_some();
+        let cut = grid.sides_cut(first, last);
+        let edges = grid.edges.cut(cut, Edge::Open);
         let mut part = terrain.window(&grid.window(first, last)?)?;
-        // The part that is kept is a whole grid from now on.
+        let chosen = part.chosen_status().map(<[Status]>::to_vec);
+        // What is kept is whole from now on.
         part.set_grid(Grid { frame: None, edges, ..part.grid().clone() })?;
-        if chosen {
+        if let Some(mut status) = chosen {
             // Outlets that were chosen stay, and the sides that are cut come to them.
-            let kept = part.chosen_status().map(<[Status]>::to_vec);
-            part.set_status(None);
-            let mut status = kept.unwrap_or_else(|| vec![Status::Interior; part.grid().len()]);
-            let shape = part.grid().shape;
-            for (i, s) in status.iter_mut().enumerate().filter(|(_, s)| **s == Status::Interior) {
-                let cell = shape.cell(i);
-                let at_cut = cut_north && cell.row == 0
-                    || cut_south && cell.row + 1 == shape.rows
-                    || cut_west && cell.col == 0
-                    || cut_east && cell.col + 1 == shape.cols;
-                if at_cut {
+            let (opened, shape) = (Edges::all(Edge::Closed).cut(cut, Edge::Open), part.grid().shape);
+            for (i, s) in status.iter_mut().enumerate() {
+                if part.elevation()[i].is_nan() {
+                    *s = Status::Masked;
+                } else if *s == Status::Interior && opened.open_sides_at(shape, i) > 0 {
                     *s = Status::BaseLevel;
                 }
             }
-            let masked = |i: usize| part.elevation()[i].is_nan();
-            let status = status.into_iter().enumerate();
-            let status = status.map(|(i, s)| if masked(i) { Status::Masked } else { s }).collect();
             part.set_status(Some(status));
         }
         *terrain = part;

@@ -62,7 +62,7 @@ use strips::Strips;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::grid::{Domain, NO_SLOT, Status};
+use crate::grid::{Domain, NO_SLOT, Status, write_receivers};
 use crate::parallel;
 
 /// Which of the lower neighbours receives a node's water.
@@ -159,7 +159,9 @@ impl Flow {
     fn steepest<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
         match self.descent {
             Descent::Steepest => domain.steepest_descent(elevation, &mut self.receiver, &mut self.slot),
-            Descent::Lowest => lowest_descent(domain, elevation, &mut self.receiver, &mut self.slot),
+            Descent::Lowest => {
+                write_receivers(domain, &mut self.receiver, &mut self.slot, |node| lowest(domain, elevation, node));
+            }
         }
     }
 
@@ -228,19 +230,6 @@ impl Flow {
         self.up(&mut basin, |_, _, below| below);
         basin
     }
-}
-
-/// Each interior node's lowest neighbour, if it is lower than the node.
-fn lowest_descent<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
-    let status = domain.status();
-    parallel::for_pieces_mut2(receiver, slot, parallel::PIECE, |first, receivers, slots| {
-        for (k, (r, s)) in receivers.iter_mut().zip(slots).enumerate() {
-            let node = first + k;
-            let is_interior = status[node] == Status::Interior;
-            let link = if is_interior { lowest(domain, elevation, node) } else { None };
-            (*r, *s) = link.map_or((node as u32, NO_SLOT), |(to, slot)| (to as u32, slot));
-        }
-    });
 }
 
 /// The lowest of the lower neighbours of a node, and its slot.

@@ -85,32 +85,40 @@ impl Disk {
         Ok(())
     }
 
-    /// The terrains that are kept, the most recently used first.
+    /// What is kept, the most recently used first.
     pub(super) fn kept(&self) -> Result<Vec<Kept>> {
+        let mut kept = self.files()?;
+        for item in &mut kept {
+            item.stage = self.event(&item.key).ok().map(|event| event.stage);
+        }
+        Ok(kept)
+    }
+
+    /// As [`Disk::kept`], without looking into the files.
+    fn files(&self) -> Result<Vec<Kept>> {
         let entries = match fs::read_dir(&self.folder) {
             Ok(entries) => entries,
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
             Err(e) => return Err(Error::io("read", &self.folder, e)),
         };
-        let mut kept: Vec<Kept> = entries.flatten().filter_map(|entry| self.one(&entry.path())).collect();
-        kept.sort_by(|a, b| b.used.cmp(&a.used).then_with(|| a.key.cmp(&b.key)));
-        Ok(kept)
+        let mut files: Vec<Kept> = entries.flatten().filter_map(|entry| self.file(&entry.path())).collect();
+        files.sort_by(|a, b| b.used.cmp(&a.used).then_with(|| a.key.cmp(&b.key)));
+        Ok(files)
     }
 
-    fn one(&self, path: &Path) -> Option<Kept> {
+    fn file(&self, path: &Path) -> Option<Kept> {
         let key = path.file_stem()?.to_str()?.to_string();
         if path.extension()? != EXTENSION || key.ends_with(EVENT) {
             return None;
         }
         let meta = fs::metadata(path).ok()?;
         let event = fs::metadata(self.event_path(&key)).map_or(0, |m| m.len());
-        let stage = self.event(&key).ok().map(|e| e.stage);
-        Some(Kept { stage, bytes: meta.len() + event, used: meta.modified().ok()?, key })
+        Some(Kept { stage: None, bytes: meta.len() + event, used: meta.modified().ok()?, key })
     }
 
     /// Removes everything; returns how many bytes became free.
     pub(super) fn clear(&self) -> Result<u64> {
-        let kept = self.kept()?;
+        let kept = self.files()?;
         for item in &kept {
             let path = self.path(&item.key);
             fs::remove_file(&path).map_err(|e| Error::io("remove", &path, e))?;
@@ -122,7 +130,7 @@ impl Disk {
     /// Removes the least recently used terrains beyond the limit; returns how many bytes became free. Files that cannot be
     /// removed are left.
     pub(super) fn trim(&self) -> u64 {
-        let mut kept = self.kept().unwrap_or_default();
+        let mut kept = self.files().unwrap_or_default();
         let mut total: u64 = kept.iter().map(|item| item.bytes).sum();
         let mut freed = 0;
         while total > self.most_bytes {

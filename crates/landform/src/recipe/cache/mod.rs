@@ -2,11 +2,12 @@
 
 mod disk;
 mod key;
-mod memory;
 
 use std::path::Path;
 use std::sync::Arc;
 
+use landform_core::recent::Recent;
+use landform_core::terrain::bytes_a_node;
 use landform_core::verb::Event;
 use landform_core::{Error, Result};
 
@@ -14,7 +15,6 @@ use super::AnyTerrain;
 use disk::Disk;
 pub use disk::Kept;
 pub(super) use key::{input_paths, key};
-use memory::Memory;
 
 /// Terrains after each stage, kept between runs. The least recently used terrains are removed first, in memory and on disk.
 ///
@@ -37,9 +37,9 @@ use memory::Memory;
 /// assert_eq!(hits.into_inner(), 2);
 /// # Ok::<(), landform::core::Error>(())
 /// ```
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Cache {
-    memory: Memory,
+    memory: Recent<String, (Arc<AnyTerrain>, Event)>,
     disk: Option<Disk>,
 }
 
@@ -49,18 +49,18 @@ pub const CACHE_LIMIT: u64 = 4 << 30;
 impl Cache {
     /// A cache in memory alone, of `bytes` bytes.
     pub fn in_memory(bytes: u64) -> Self {
-        Self { memory: Memory::of(bytes), disk: None }
+        Self { memory: Recent::of(bytes), disk: None }
     }
 
     /// A cache in a folder, of at most [`CACHE_LIMIT`] bytes.
     pub fn on_disk(folder: &Path) -> Self {
-        Self { memory: Memory::default(), disk: Some(Disk::new(folder, CACHE_LIMIT)) }
+        Self { memory: Recent::of(0), disk: Some(Disk::new(folder, CACHE_LIMIT)) }
     }
 
     /// Sets the number of bytes in memory before those on disk.
     #[must_use]
     pub fn with_memory(self, bytes: u64) -> Self {
-        Self { memory: Memory::of(bytes), ..self }
+        Self { memory: Recent::of(bytes), ..self }
     }
 
     /// Sets the greatest number of bytes on disk.
@@ -93,12 +93,12 @@ impl Cache {
     }
 
     pub(super) fn has(&self, key: &str) -> bool {
-        self.memory.find(key).is_some() || self.disk.as_ref().is_some_and(|disk| disk.has(key))
+        self.memory.find(&key.to_string()).is_some() || self.disk.as_ref().is_some_and(|disk| disk.has(key))
     }
 
     /// What made the terrain of a key.
     pub(super) fn event(&self, key: &str) -> Result<Event> {
-        match (self.memory.find(key), &self.disk) {
+        match (self.memory.find(&key.to_string()), &self.disk) {
             (Some((_, event)), _) => Ok(event),
             (None, Some(disk)) => disk.event(key),
             (None, None) => Err(missing()),
@@ -107,27 +107,35 @@ impl Cache {
 
     /// The terrain of a key.
     pub(super) fn terrain(&self, key: &str) -> Result<Arc<AnyTerrain>> {
-        match (self.memory.find(key), &self.disk) {
+        match (self.memory.find(&key.to_string()), &self.disk) {
             (Some((terrain, _)), _) => Ok(terrain),
             (None, Some(disk)) => {
                 let terrain = Arc::new(disk.terrain(key)?);
-                self.memory.keep(key, &terrain, &disk.event(key)?);
+                // The event is read for the memory's sake alone.
+                if self.memory.has_room() {
+                    self.remember(key, &terrain, &disk.event(key)?);
+                }
                 Ok(terrain)
             }
             (None, None) => Err(missing()),
         }
     }
 
+    fn remember(&self, key: &str, terrain: &Arc<AnyTerrain>, event: &Event) {
+        let bytes = terrain.elevation().len() as u64 * bytes_a_node(terrain.kind());
+        self.memory.keep(key.to_string(), (terrain.clone(), event.clone()), bytes);
+    }
+
     /// Forgets a key, whose files turned out to be damaged.
     pub(super) fn forget(&self, key: &str) {
-        self.memory.forget(key);
+        self.memory.forget(&key.to_string());
         self.disk.iter().for_each(|disk| {
             disk.forget(key);
         });
     }
 
     pub(super) fn store(&self, key: &str, terrain: &Arc<AnyTerrain>, event: &Event) -> Result<()> {
-        self.memory.keep(key, terrain, event);
+        self.remember(key, terrain, event);
         self.disk.as_ref().map_or(Ok(()), |disk| disk.store(key, terrain, event))
     }
 }
