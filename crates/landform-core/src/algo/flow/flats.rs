@@ -10,15 +10,18 @@
 //! # Sources
 //! Garbrecht & Martz (1997); Barnes, Lehman & Mulla (2014b), which weighs the two gradients 2 : 1.
 
+use std::ops::Range;
+
 use super::pits::without_receiver;
 use crate::grid::{Domain, NO_SLOT, Status};
+use crate::parallel;
 
 /// The surface with its flats tilted, by a few units of the last place; none if there are none. **Cost** O(n).
 pub fn tilt_flats<D: Domain>(domain: &D, elevation: &[f64]) -> Option<Vec<f64>> {
     let (mut receiver, mut slot) = (vec![0; elevation.len()], vec![0; elevation.len()]);
     domain.steepest_descent(elevation, &mut receiver, &mut slot);
     let mut flats = Flats::default();
-    flats.tilt(domain, elevation, &slot).then_some(flats.tilted)
+    flats.tilt(domain, elevation, &without_receiver(domain, &slot), &slot).then_some(flats.tilted)
 }
 
 /// Buffers that are kept from step to step: most steps find a few flats, and fresh memory would cost more than they do.
@@ -35,12 +38,12 @@ pub(super) struct Flats {
 }
 
 impl Flats {
-    /// Tilts the flats of a surface; whether there are any. `slot` is what steepest descent gave. **Cost** O(n) once to copy the surface,
-    /// else O(nodes of flats).
-    pub(super) fn tilt<D: Domain>(&mut self, domain: &D, elevation: &[f64], slot: &[u8]) -> bool {
+    /// Tilts the flats of a surface; whether there are any. `slot` is what steepest descent gave, `pits` where it ends. **Cost** O(n)
+    /// once to copy the surface, else O(pits).
+    pub(super) fn tilt<D: Domain>(&mut self, domain: &D, elevation: &[f64], pits: &[usize], slot: &[u8]) -> bool {
         let equals = |i: usize| domain.neighbours(i).map(|l| l.to).filter(move |&j| elevation[j] == elevation[i]);
-        self.level = without_receiver(domain, slot);
-        self.level.retain(|&i| equals(i).next().is_some());
+        let level = |piece: Range<usize>| pits[piece].iter().copied().filter(|&i| equals(i).next().is_some()).collect();
+        self.level = parallel::map_pieces::<Vec<usize>>(pits.len(), level).concat();
         if self.level.is_empty() {
             return false;
         }

@@ -5,8 +5,8 @@
 //! 2. *Open pits*: for about half of the pits on rough ground the way out follows from their neighbours alone ([`pits`]).
 //! 3. *Basins*: follow receivers to an outlet or a pit ([`labels`]).
 //! 4. *Passes*: links between basins, thinned to those that can be the lowest between their two basins ([`passes`]).
-//! 5. *Tree*: minimum spanning tree of the basins by height of pass, all outlets as one root; Borůvka ([`tree`]).
-//! 6. *Carving*: in every lake the path from the pass down to the pit is turned round, so that it leads out ([`tree`]).
+//! 5. *Exits*: minimum spanning tree of the basins by height of pass, all outlets as one root; Borůvka ([`exits`]).
+//! 6. *Carving*: in every lake the path from the exit down to the pit is turned round, so that it leads out ([`carve`]).
 //! 7. *Order and accumulation*: donors before receivers, by counting donors ([`order`]).
 //!
 //! After routing, every node reaches an outlet, and the greatest elevation along its path is the level to which water must
@@ -43,6 +43,8 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod carve;
+mod exits;
 mod flats;
 mod infinity;
 mod labels;
@@ -51,7 +53,6 @@ mod order;
 mod passes;
 mod pits;
 mod strips;
-mod tree;
 
 pub use flats::{fall, spread_steps, tilt_flats};
 pub use infinity::{Direction, direction};
@@ -129,31 +130,29 @@ impl Flow {
             (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
         }
         self.steepest(domain, elevation);
+        let mut pits = pits::without_receiver(domain, &self.slot);
         let mut flats = std::mem::take(&mut self.flats);
-        if flats.tilt(domain, elevation, &self.slot) {
+        if flats.tilt(domain, elevation, &pits, &self.slot) {
             self.steepest_around(domain, &flats);
-            self.leave_pits(domain, &flats.tilted);
+            pits = pits::without_receiver(domain, &self.slot);
+            self.leave_pits(domain, &flats.tilted, pits);
         } else {
-            self.leave_pits(domain, elevation);
+            self.leave_pits(domain, elevation, pits);
         }
         self.flats = flats;
     }
 
     /// Finds a way out of every pit: over its lowest neighbour, or over passes from basin to basin.
-    fn leave_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
-        let n = domain.len();
-        let pits = pits::open_pits(domain, elevation, &mut self.receiver, &mut self.slot);
-        self.lakes = pits.all;
-        if pits.closed == 0 {
+    fn leave_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64], mut pits: Vec<usize>) {
+        let cuts = strips::cut(domain.len(), self.wanted);
+        self.lakes = pits::open_pits(domain, elevation, &cuts, &mut pits, &mut self.receiver, &mut self.slot);
+        if pits.is_empty() {
             return;
         }
-        let ends = pits::without_receiver(domain, &self.slot);
-        labels::label_basins(&self.receiver, &ends, &strips::cut(n, self.wanted), &mut self.order);
-        let basins = ends.len() + 1;
+        labels::label_basins(&self.receiver, &pits, &cuts, &mut self.order);
         domain.saddles(elevation, &mut self.marks);
-        let passes = passes::find_passes(domain, elevation, &self.marks, &self.slot, &self.order);
-        let tree = tree::spanning_tree(passes, basins);
-        tree::carve(domain, tree, &self.order, basins, &mut self.receiver, &mut self.slot);
+        let exits = exits::find_exits(domain, elevation, &self.marks, &self.slot, &self.order, &pits, &cuts);
+        carve::carve(domain, &exits, &pits, &cuts, &mut self.receiver, &mut self.slot);
     }
 
     fn steepest<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {

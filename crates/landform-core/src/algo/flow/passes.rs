@@ -7,8 +7,9 @@
 //! another arc one is enough, for the same reason. So only saddles, whose lower neighbours form several arcs, hold passes, and
 //! each as many as it has further arcs. There are about as many saddles as pits and peaks together.
 
+use std::ops::Range;
+
 use crate::grid::Domain;
-use crate::parallel;
 
 /// A link between two basins.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,31 +22,31 @@ pub(super) struct Pass {
     pub(super) node: u32,
     /// The slot that leads from there to the end in the second basin.
     pub(super) slot: u8,
+    /// The how many-th pass of its node this is: orders passes, after the node.
+    pub(super) nth: u8,
 }
 
-/// Passes in order of nodes. **Cost** O(nodes), most of it reading `saddle`.
+/// Passes of a strip's nodes, in their order. **Cost** O(nodes), most of it reading `saddle`.
 pub(super) fn find_passes<D: Domain>(
     domain: &D,
     elevation: &[f64],
     saddle: &[u8],
     slot: &[u8],
     label: &[u32],
+    strip: &Range<usize>,
 ) -> Vec<Pass> {
-    let pieces = parallel::map_pieces(domain.len(), |piece| {
-        let mut found = Vec::new();
-        // In a landscape that has almost drained most saddles lie within one basin.
-        let at_rim = |i: usize| domain.neighbours(i).any(|l| label[l.to] != label[i]);
-        for node in piece.filter(|&i| saddle[i] != 0 && at_rim(i)) {
-            domain.lower_arcs(elevation, node, slot[node], |to| {
-                let basins = [label[node], label[domain.neighbour(node, to)]];
-                if basins[0] != basins[1] {
-                    found.push(Pass { height: elevation[node], basins, node: node as u32, slot: to });
-                }
-            });
-        }
-        found
-    });
-    let mut passes = Vec::with_capacity(pieces.iter().map(Vec::len).sum());
-    pieces.into_iter().for_each(|piece| passes.extend(piece));
-    passes
+    let mut found = Vec::new();
+    // In a landscape that has almost drained most saddles lie within one basin.
+    let at_rim = |i: usize| domain.neighbours(i).any(|l| label[l.to] != label[i]);
+    for node in strip.clone().filter(|&i| saddle[i] != 0 && at_rim(i)) {
+        let mut nth = 0;
+        domain.lower_arcs(elevation, node, slot[node], |to| {
+            let basins = [label[node], label[domain.neighbour(node, to)]];
+            if basins[0] != basins[1] {
+                found.push(Pass { height: elevation[node], basins, node: node as u32, slot: to, nth });
+                nth += 1;
+            }
+        });
+    }
+    found
 }

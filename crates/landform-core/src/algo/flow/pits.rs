@@ -8,44 +8,81 @@
 //! Everywhere nodes are compared by (elevation, index): flats have an order, and no two nodes are equal. So no cycle can
 //! arise: each link taken is the lowest way out of its own basin.
 
+use std::ops::Range;
+
+use super::strips::{Receivers, split_receivers};
 use crate::grid::{Domain, Link, NO_SLOT, Status, is_below};
 use crate::parallel;
 
 const RUN: usize = 32;
 
-/// Result of [`open_pits`].
-pub(super) struct Pits {
-    /// Pits, flats counted once.
-    pub(super) all: usize,
-    /// Those whose way out is not seen yet.
-    pub(super) closed: usize,
+/// A pit that drains over its lowest neighbour.
+struct Opened {
+    node: u32,
+    receiver: u32,
+    slot: u8,
 }
 
 /// Gives pits on flats that could not be tilted the equal neighbour of lower index as receiver, and pits with an open way out
-/// that way.
-pub(super) fn open_pits<D: Domain>(domain: &D, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) -> Pits {
-    let pits = without_receiver(domain, slot);
+/// that way. Returns how many pits there were, flats counted once, and leaves those in `pits` whose way out is not seen yet.
+pub(super) fn open_pits<D: Domain>(
+    domain: &D,
+    elevation: &[f64],
+    cuts: &[Range<usize>],
+    pits: &mut Vec<usize>,
+    receiver: &mut [u32],
+    slot: &mut [u8],
+) -> usize {
+    let own =
+        |strip: &Range<usize>| pits.partition_point(|&p| p < strip.start)..pits.partition_point(|&p| p < strip.end);
+    let looked =
+        parallel::run_all(cuts.iter().collect(), |strip| look(domain, elevation, &pits[own(strip)], receiver, slot));
+    let parts = split_receivers(receiver, slot, cuts).into_iter().zip(&looked).collect();
+    parallel::run_all(parts, |(part, looked): (Receivers, &Looked)| {
+        for opened in &looked.opened {
+            let at = opened.node as usize - part.strip.start;
+            (part.receiver[at], part.slot[at]) = (opened.receiver, opened.slot);
+        }
+    });
+    let all = pits.len() - looked.iter().map(|l| l.level).sum::<usize>();
+    pits.clear();
+    looked.into_iter().for_each(|l| pits.extend(l.closed));
+    all
+}
+
+/// What pits' neighbours tell.
+#[derive(Default)]
+struct Looked {
+    opened: Vec<Opened>,
+    closed: Vec<usize>,
+    /// Nodes of flats, but for the one of lowest index.
+    level: usize,
+}
+
+fn look<D: Domain>(domain: &D, elevation: &[f64], pits: &[usize], receiver: &[u32], slot: &[u8]) -> Looked {
     let lowest =
         |i: usize| domain.neighbours(i).reduce(|a: Link, b| if is_below(elevation, b.to, a.to) { b } else { a });
-    let mut lowest_of = Vec::with_capacity(pits.len());
-    let mut found = Pits { all: 0, closed: 0 };
-    for i in pits {
-        match lowest(i) {
-            Some(link) if is_below(elevation, link.to, i) => (receiver[i], slot[i]) = (link.to as u32, link.slot),
-            Some(link) => lowest_of.push((i, link)),
-            None => found.closed += 1,
+    let status = domain.status();
+    // Where a node will drain; one of a flat may still be a pit itself.
+    let drains_to = |i: usize| match slot[i] {
+        NO_SLOT if status[i] == Status::Interior => {
+            lowest(i).map_or(i, |l| if is_below(elevation, l.to, i) { l.to } else { i })
+        }
+        _ => receiver[i] as usize,
+    };
+    let mut looked = Looked::default();
+    for &i in pits {
+        let link = lowest(i);
+        let level = link.is_some_and(|l| is_below(elevation, l.to, i));
+        looked.level += usize::from(level);
+        match link {
+            Some(l) if level || drains_to(l.to) != i => {
+                looked.opened.push(Opened { node: i as u32, receiver: l.to as u32, slot: l.slot });
+            }
+            _ => looked.closed.push(i),
         }
     }
-    found.all = lowest_of.len() + found.closed;
-    // The neighbours' receivers are final now: none of them is a pit itself.
-    for (i, link) in lowest_of {
-        if receiver[link.to] as usize == i {
-            found.closed += 1;
-        } else {
-            (receiver[i], slot[i]) = (link.to as u32, link.slot);
-        }
-    }
-    found
+    looked
 }
 
 /// Interior nodes without a receiver, in order.

@@ -36,6 +36,23 @@ pub(super) fn split<'a, T>(mut values: &'a mut [T], strips: &[Range<usize>]) -> 
     parts
 }
 
+/// Receivers of a strip's nodes, and their slots.
+pub(super) struct Receivers<'a> {
+    pub(super) strip: Range<usize>,
+    pub(super) receiver: &'a mut [u32],
+    pub(super) slot: &'a mut [u8],
+}
+
+/// Receivers and slots, strip by strip.
+pub(super) fn split_receivers<'a>(
+    receiver: &'a mut [u32],
+    slot: &'a mut [u8],
+    strips: &[Range<usize>],
+) -> Vec<Receivers<'a>> {
+    let parts = split(receiver, strips).into_iter().zip(split(slot, strips)).zip(strips);
+    parts.map(|((receiver, slot), strip)| Receivers { strip: strip.clone(), receiver, slot }).collect()
+}
+
 /// The order of nodes, by strips: each strip's own nodes, then all that lies downstream of a seam.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Strips {
