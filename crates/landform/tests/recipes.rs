@@ -37,6 +37,7 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
         (s("title = 4\n[[stage]]\nuse = \"flat\""), 1, "`title` is not a text", ""),
         (s("[[stage]]\nsize = 3"), 1, "no `use`", ""),
         (s("[[stage]]\nuse = 3"), 2, "`use` is not a text", ""),
+        (after_head("[[stage]]\nuse = \"dunes\"\nsteps = -1"), 5, "`iterations` is `steps` in the recipe", ""),
         (s("[[stage]]\nuse = \"stream_grap\""), 2, "`stream_grap` is not known", "did you mean `stream_graph`?"),
         (s("[[stage]]\nuse = \"xyzzy\""), 2, "`xyzzy` is not known", "landform stages"),
         (s("[[stage]]\nuse = \"write_raster\""), 2, "has no terrain to work on", "begin with a generator"),

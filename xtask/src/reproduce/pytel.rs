@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use landform::core::algo::noise::spectral_surface;
-use landform::core::analysis::{ModelCurve, classify, density, seed_fit};
+use landform::core::analysis::{ModelCurve, classify, density, thesis_fit};
 use landform::core::grid::{Grid, Shape};
 use landform::core::random::Seed;
 use landform::core::verb::MemoryOutput;
@@ -174,8 +174,8 @@ fn numbers(m: &Json) -> String {
     format!(
         "β {:.2}<br>RMS {:.3}, R² {:.3}<br>axes/diagonals {:.2}<br>HI {:.2}, {}{shore}",
         s(&["surface", "exponent"]),
-        s(&["seed_fit", "rms"]),
-        s(&["seed_fit", "r2"]),
+        s(&["thesis_fit", "rms"]),
+        s(&["thesis_fit", "r2"]),
         s(&["axes_over_diagonals"]),
         v(&["hypsometry", "integral"]),
         m["hypsometry"]["class"].as_str().unwrap_or("–")
@@ -241,7 +241,7 @@ fn base_line() -> String {
             let hurst = 0.5 + 0.48 * f64::from(k) / 32.0;
             let z = spectral_surface(shape, [1.0, 1.0], hurst - shift, Seed(k as u64));
             if let Some((window, d)) = density(&grid, &z, false) {
-                let fit = seed_fit(&d, &z, window, shape);
+                let fit = thesis_fit(&d, &z, window, shape);
                 for (r, v) in range.iter_mut().zip([fit.rms, fit.r2]) {
                     *r = [r[0].min(v), r[1].max(v)];
                 }

@@ -43,7 +43,7 @@ impl FeatureSearch {
         },
     ];
     /// Rainfall where none is given, m/s: 1 m/yr.
-    pub const USUAL_RAIN: f64 = 1_000.0 * MM_PER_YEAR;
+    pub const DEFAULT_RAIN: f64 = 1_000.0 * MM_PER_YEAR;
 
     /// A search for one kind, with the defaults.
     pub fn of(kind: FeatureKind) -> Self {
@@ -52,7 +52,7 @@ impl FeatureSearch {
             least_area: None,
             least_depth: 1.0,
             sea_level: None,
-            rainfall: Self::USUAL_RAIN,
+            rainfall: Self::DEFAULT_RAIN,
             width: Width::default(),
             levels: Vec::new(),
         }

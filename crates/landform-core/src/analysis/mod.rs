@@ -31,7 +31,7 @@ pub use network::{
 };
 pub use spectrum::{
     Density, LEAST_WINDOW, LogBin, PowerLaw, Ring, Spectrum, ThesisFit, Transects, Window, density, largest_square,
-    of_density, seed_fit, spectrum, transects,
+    of_density, spectrum, thesis_fit, transects,
 };
 pub use summary::{Summary, summary};
 pub use surface::{REPOSE, Surface, surface};

@@ -85,6 +85,18 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
         write_receivers(self, receiver, slot, |node| self.steepest(elevation, node));
     }
 
+    /// The lowest neighbour of a node, and its slot; of equals the one of lower index.
+    fn lowest(&self, elevation: &[f64], node: usize) -> Option<(usize, u8)> {
+        let lower = |a: Link, b: Link| if is_below(elevation, b.to, a.to) { b } else { a };
+        self.neighbours(node).reduce(lower).map(|l| (l.to, l.slot))
+    }
+
+    /// Whether a neighbour has another label. A masked node beside it may count as one.
+    #[inline]
+    fn touches_other(&self, label: &[u32], node: usize) -> bool {
+        self.neighbours(node).any(|l| label[l.to] != label[node])
+    }
+
     /// Writes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`]) form more than one arc, else 0.
     fn saddles(&self, elevation: &[f64], saddle: &mut [u8]) {
         parallel::update(saddle, |node, saddle| {

@@ -48,12 +48,29 @@ const fn first_arc(mask: u8) -> u8 {
     }
 }
 
+/// The slots, those of lower index first.
+const BY_INDEX: [usize; 8] = [3, 2, 1, 4, 0, 5, 6, 7];
+
+/// Whether the neighbour in a slot has a lower index.
+const BEFORE: [bool; 8] = [false, true, true, true, true, false, false, false];
+
+/// The first arc of each mask.
+const FIRST_ARC: [u8; 256] = {
+    let mut table = [0; 256];
+    let mut mask = 1;
+    while mask < 256 {
+        table[mask] = first_arc(mask as u8);
+        mask += 1;
+    }
+    table
+};
+
 /// 1 for masks whose directions form more than one arc.
 const IS_SADDLE: [u8; 256] = {
     let mut table = [0; 256];
     let mut mask = 1;
     while mask < 256 {
-        table[mask] = (first_arc(mask as u8) != mask as u8) as u8;
+        table[mask] = (FIRST_ARC[mask] != mask as u8) as u8;
         mask += 1;
     }
     table
@@ -154,6 +171,14 @@ impl RasterDomain {
         let (node, rows, cols) = (node as u32, self.shape.rows as u32, self.shape.cols as u32);
         let (row, col) = (node / cols, node % cols);
         row == 0 || col == 0 || row + 1 == rows || col + 1 == cols
+    }
+
+    /// The values around a node that is not on the rim, by slot.
+    #[inline]
+    fn around<T: Copy>(&self, values: &[T], node: usize) -> [T; 8] {
+        let row = |from: usize| -> &[T] { &values[from - 1..from + 2] };
+        let (north, middle, south) = (row(node - self.shape.cols), row(node), row(node + self.shape.cols));
+        [middle[2], north[2], north[1], north[0], middle[0], south[0], south[1], south[2]]
     }
 
     /// Steepest descent for one row; nodes with all eight neighbours take the branch-free kernel.
@@ -286,11 +311,8 @@ impl Domain for RasterDomain {
             let donors = (0..8).filter_map(|k| self.step(node, k)).filter(|&j| receiver[j] as usize == node);
             return donors.for_each(visit);
         }
-        let (cols, of) = (self.shape.cols, node as u32);
-        let row = |from: usize| <&[u32; 3]>::try_from(&receiver[from - 1..from + 2]).unwrap_or(&[0; 3]);
-        let (north, middle, south) = (row(node - cols), row(node), row(node + cols));
-        let around = [middle[2], north[2], north[1], north[0], middle[0], south[0], south[1], south[2]];
-        let mut donors = (0..8).fold(0_u32, |bits, k| bits | u32::from(around[k] == of) << k);
+        let around = self.around(receiver, node);
+        let mut donors = (0..8).fold(0_u32, |bits, k| bits | u32::from(around[k] == node as u32) << k);
         while donors != 0 {
             visit((node as isize + self.offset[donors.trailing_zeros() as usize & 7]) as usize);
             donors &= donors - 1;
@@ -366,13 +388,44 @@ impl Domain for RasterDomain {
         });
     }
 
+    fn lowest(&self, elevation: &[f64], node: usize) -> Option<(usize, u8)> {
+        if self.is_rim(node) {
+            let lower = |a: Link, b: Link| if is_below(elevation, b.to, a.to) { b } else { a };
+            return self.neighbours(node).reduce(lower).map(|l| (l.to, l.slot));
+        }
+        let around = self.around(elevation, node);
+        let (mut least, mut slot) = (f64::INFINITY, NO_SLOT);
+        for k in BY_INDEX {
+            let lower = around[k] < least;
+            least = if lower { around[k] } else { least };
+            slot = if lower { k as u8 } else { slot };
+        }
+        (slot != NO_SLOT).then(|| ((node as isize + self.offset[slot as usize & 7]) as usize, slot))
+    }
+
+    #[inline]
+    fn touches_other(&self, label: &[u32], node: usize) -> bool {
+        if self.is_rim(node) {
+            return self.neighbours(node).any(|l| label[l.to] != label[node]);
+        }
+        self.around(label, node).into_iter().fold(false, |other, l| other | (l != label[node]))
+    }
+
+    #[inline]
     fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, mut visit: impl FnMut(u8)) {
         let mut lower = 0u8;
-        for link in self.neighbours(node) {
-            lower |= u8::from(is_below(elevation, link.to, node)) << link.slot;
+        if self.is_rim(node) {
+            for link in self.neighbours(node) {
+                lower |= u8::from(is_below(elevation, link.to, node)) << link.slot;
+            }
+        } else {
+            let (around, z) = (self.around(elevation, node), elevation[node]);
+            for (k, &at) in around.iter().enumerate() {
+                lower |= u8::from(at < z || (at == z && BEFORE[k])) << k;
+            }
         }
         while lower != 0 {
-            let arc = first_arc(lower);
+            let arc = FIRST_ARC[lower as usize];
             lower &= !arc;
             if own > 7 || arc >> own & 1 == 0 {
                 visit(arc.trailing_zeros() as u8);
@@ -412,6 +465,12 @@ mod tests {
                 assert_eq!(receiver[i] as usize, expected.map_or(i, |l| l.to));
                 let mut arcs = 0;
                 domain.lower_arcs(&z, i, NO_SLOT, |_| arcs += 1);
+                let least = |a: usize, b: usize| if is_below(&z, b, a) { b } else { a };
+                let lowest = domain.neighbours(i).map(|l| l.to).reduce(least);
+                assert_eq!(domain.lowest(&z, i).map(|(to, _)| to), lowest);
+                let label: Vec<u32> = z.iter().map(|z| (z * 4.0) as u32).collect();
+                let differs = domain.neighbours(i).any(|l| label[l.to] != label[i]);
+                assert_eq!(domain.touches_other(&label, i), differs);
                 assert_eq!(saddle[i] == 1, arcs > 1 || domain.status[i] == Status::BaseLevel);
             }
         }

@@ -67,6 +67,8 @@ pub struct Stage {
     pub writes: &'static [&'static str],
     /// Keys of earlier recipes, and their names now.
     pub renamed: &'static [(&'static str, &'static str)],
+    /// Keys of earlier recipes that are still read, and the key that says the same now.
+    pub obsolete: &'static [(&'static str, &'static str)],
     /// Description of its parameters.
     pub form: Form,
     /// Functions, one for each kind of terrain.
@@ -235,8 +237,9 @@ pub const fn export<P: Export<T>, T: Representation>() -> Act {
 impl Stage {
     /// A row without acts.
     pub const fn new<P: Params>(verb: Verb, writes: &'static [&'static str]) -> Self {
-        let (name, sources, inputs, with, renamed) = (P::NAME, P::SOURCES, P::INPUTS, P::WITH, P::RENAMED);
-        Self { name, verb, sources, inputs, with, writes, renamed, form: Form::of::<P>(), acts: &[] }
+        let (name, sources, inputs, with) = (P::NAME, P::SOURCES, P::INPUTS, P::WITH);
+        let (renamed, obsolete) = (P::RENAMED, P::OBSOLETE);
+        Self { name, verb, sources, inputs, with, writes, renamed, obsolete, form: Form::of::<P>(), acts: &[] }
     }
 
     /// The act on a kind of terrain.

@@ -39,6 +39,8 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     const IN_TIME: &'static [&'static str] = &[];
     /// Keys of earlier recipes, and their names now ("steps" → "iterations", "size" → "grid.size").
     const RENAMED: &'static [(&'static str, &'static str)] = &[];
+    /// Keys of earlier recipes that are still read, and the key that says the same now ("rivers" → "features").
+    const OBSOLETE: &'static [(&'static str, &'static str)] = &[];
 
     /// Files that the stage writes, below the output folder.
     fn outputs(&self) -> Vec<String> {

@@ -69,8 +69,8 @@ impl Default for WriteFeatures {
 
 impl Params for WriteFeatures {
     const NAME: &'static str = "write_features";
-    const RENAMED: &'static [(&'static str, &'static str)] =
-        &[("rivers", "!features"), ("lakes", "!features"), ("basins", "!features")];
+    const OBSOLETE: &'static [(&'static str, &'static str)] =
+        &[("rivers", "features"), ("lakes", "features"), ("basins", "features")];
     const SOURCES: &'static [Source] = FeatureSearch::SOURCES;
 
     fn outputs(&self) -> Vec<String> {
@@ -113,7 +113,7 @@ impl<T: Rasterize> Export<T> for WriteFeatures {
                 rainfall: self
                     .rainfall
                     .or(landscape.environment.uniform_rain())
-                    .map_or(FeatureSearch::USUAL_RAIN, Rate::si),
+                    .map_or(FeatureSearch::DEFAULT_RAIN, Rate::si),
                 width: Width { coefficient: self.width_coefficient, exponent: self.width_exponent },
                 levels: Vec::new(),
             },

@@ -19,7 +19,7 @@ use super::systems::{is_depth, length_by_name, vertical_unit};
 /// Numbers beyond this are nodata that is not marked as such.
 const GREATEST: f64 = 1e30;
 /// What programs write where there is no data.
-const USUAL_NODATA: [f64; 4] = [-9999.0, -32_768.0, -32_767.0, -99_999.0];
+const COMMON_NODATA: [f64; 4] = [-9999.0, -32_768.0, -32_767.0, -99_999.0];
 
 /// The note of a file that says nothing of its place.
 pub const UNPLACED: &str = "nothing says how large its cells are: taken as 1 m";
@@ -82,21 +82,21 @@ fn strike_nodata(samples: &mut [f64], nodata: Option<f64>, notes: &mut Vec<Strin
     // The same number printed with fewer digits, or kept as a 32-bit float.
     let narrow = nodata.map(|n| f64::from(n as f32));
     let is_none = |v: f64| nodata == Some(v) || narrow.is_some_and(|n| n == v || n == f64::from(v as f32));
-    let (mut beyond, mut usual) = (0_usize, [0_usize; USUAL_NODATA.len()]);
+    let (mut beyond, mut usual) = (0_usize, [0_usize; COMMON_NODATA.len()]);
     for v in samples.iter_mut().filter(|v| !v.is_nan()) {
         if is_none(*v) {
             *v = f64::NAN;
         } else if !(v.abs() <= GREATEST) {
             beyond += 1;
             *v = f64::NAN;
-        } else if let Some(k) = USUAL_NODATA.iter().position(|u| u == v) {
+        } else if let Some(k) = COMMON_NODATA.iter().position(|u| u == v) {
             usual[k] += 1;
         }
     }
     if beyond > 0 && !nodata.is_some_and(|n| n.abs() > GREATEST) {
         notes.push(format!("{beyond} {} infinite or beyond 1e30: taken as nodata", numbers(beyond)));
     }
-    for (count, value) in usual.into_iter().zip(USUAL_NODATA).filter(|u| u.0 > 0) {
+    for (count, value) in usual.into_iter().zip(COMMON_NODATA).filter(|u| u.0 > 0) {
         let nodes = if count == 1 { "node is" } else { "nodes are" };
         notes.push(format!(
             "{count} {nodes} exactly {value}: nodata that is not marked? (gdal_edit.py -a_nodata {value} marks it)"

@@ -209,10 +209,10 @@ pub(super) fn roughness(m: &Metrics, picture: String) -> String {
             row("Stands out", &format!("{:.0} m", s.peak.0), &format!("{:.1} times the power law", s.peak.1)),
             row(
                 "The thesis' figures of merit",
-                &format!("RMS {:.3}, R² {:.3}", s.seed_fit.rms, s.seed_fit.r2),
+                &format!("RMS {:.3}, R² {:.3}", s.thesis_fit.rms, s.thesis_fit.r2),
                 &format!(
                     "{} points, {} removed; RMS on our scale of r. They cannot see the slope: it is {:.3}",
-                    s.seed_fit.points, s.seed_fit.removed, s.seed_fit.exponent
+                    s.thesis_fit.points, s.thesis_fit.removed, s.thesis_fit.exponent
                 ),
             ),
         ]);

@@ -8,7 +8,7 @@ use landform_core::parallel;
 use serde::{Deserialize, Serialize};
 
 use super::params::{ChannelErosion, Transport};
-use super::ways::{Piped, SedimentRouting, Swept};
+use super::ways::{PipePaths, SedimentRouting, SweepPaths};
 use crate::mechanism::water::{Ledger, Pipes, Rule, Supply, Sweep};
 
 /// Water on the ground, between rounds.
@@ -76,10 +76,10 @@ impl Water {
         sinks: &[bool],
     ) -> Option<Box<dyn SedimentRouting + 'a>> {
         if let Some(pipes) = &self.pipes {
-            return Some(Box::new(Piped::new(pipes, (domain, ground), sinks)));
+            return Some(Box::new(PipePaths::new(pipes, (domain, ground), sinks)));
         }
         let sweep = self.scratch.sweep.as_ref()?;
-        Some(Box::new(Swept { sweep, domain }))
+        Some(Box::new(SweepPaths { sweep, domain }))
     }
 
     fn sweep(

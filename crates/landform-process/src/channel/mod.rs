@@ -191,7 +191,7 @@ impl Process<HeightField> for ChannelErosion {
                 .change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += if is_inner(i) { raised } else { 0.0 }));
         }
         let carried = state.sediment.as_ref().map_or(0.0, |s| (s.under_way() - carried_before) * area);
-        self.leave_water(terrain, state, &surface)?;
+        self.write_water(terrain, state, &surface)?;
         Ok(Change {
             supplied: raised * inner * area,
             eroded,
@@ -257,7 +257,7 @@ impl ChannelErosion {
     }
 
     /// Adds depth and discharge of the water as fields.
-    fn leave_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) -> Result<()> {
+    fn write_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) -> Result<()> {
         let State { water, rate, scratch, .. } = state;
         let z = terrain.elevation();
         let area = terrain.grid().cell_area();

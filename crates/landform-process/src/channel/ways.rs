@@ -25,12 +25,12 @@ pub(super) trait SedimentRouting {
 }
 
 /// The paths of a sweep over its ground.
-pub(super) struct Swept<'a> {
+pub(super) struct SweepPaths<'a> {
     pub(super) sweep: &'a Sweep,
     pub(super) domain: &'a RasterDomain,
 }
 
-impl SedimentRouting for Swept<'_> {
+impl SedimentRouting for SweepPaths<'_> {
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         Box::new(self.sweep.order())
     }
@@ -54,7 +54,7 @@ impl SedimentRouting for Swept<'_> {
 
 /// The paths of water in pipes, with the volumes that crossed in the round. Every depression is a full lake: many floods would
 /// have filled it.
-pub(super) struct Piped<'a> {
+pub(super) struct PipePaths<'a> {
     pipes: &'a Pipes,
     domain: &'a RasterDomain,
     ground: &'a [f64],
@@ -62,7 +62,7 @@ pub(super) struct Piped<'a> {
     lake: Vec<u32>,
 }
 
-impl<'a> Piped<'a> {
+impl<'a> PipePaths<'a> {
     pub(super) fn new(pipes: &'a Pipes, (domain, ground): (&'a RasterDomain, &'a [f64]), sinks: &[bool]) -> Self {
         let mut flow = Flow::new();
         flow.route(domain, ground, &mut vec![0.0; ground.len()]);
@@ -77,7 +77,7 @@ impl<'a> Piped<'a> {
     }
 }
 
-impl SedimentRouting for Piped<'_> {
+impl SedimentRouting for PipePaths<'_> {
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         Box::new(highest_first(self.ground).into_iter())
     }

@@ -30,7 +30,7 @@ use super::banks::{Bank, River};
 /// Fraction of a step of the thesis' equation that a round is.
 const STEP: f64 = 0.5;
 /// Cells along a side of the thesis' grids.
-const SEED_CELLS: f64 = 256.0;
+const THESIS_CELLS: f64 = 256.0;
 /// Sweeps of smoothing.
 const SWEEPS: usize = 6;
 /// Smoothing weaker than this has no visible effect.
@@ -69,7 +69,7 @@ pub(super) struct Ground<'a> {
 
 impl Ground<'_> {
     /// Whether a node is eroded.
-    fn gives_way(&self, i: usize) -> bool {
+    fn is_erodible(&self, i: usize) -> bool {
         let status = self.domain.status()[i];
         status == Status::Interior || status == Status::BaseLevel && self.beyond.is_some()
     }
@@ -98,7 +98,7 @@ impl Ground<'_> {
 /// The unit of length, m.
 pub(super) fn unit(grid: &Grid) -> f64 {
     let [w, h] = grid.extent();
-    w.max(h).max(grid.spacing[0]) / SEED_CELLS
+    w.max(h).max(grid.spacing[0]) / THESIS_CELLS
 }
 
 /// Uplift in a round, m.
@@ -126,7 +126,7 @@ pub(super) fn eroded_bed(g: &Ground, weights: &Weights) -> Vec<f64> {
     };
     let cut = parallel::map(g.z.len(), |i| {
         let (z, f) = (g.z[i], power(i));
-        if !g.gives_way(i) || f == 0.0 {
+        if !g.is_erodible(i) || f == 0.0 {
             return Cut { z, power: 0.0, floor: z };
         }
         let f = f * STEP * g.softness.at(i);
@@ -154,11 +154,11 @@ pub(super) fn eroded_bed(g: &Ground, weights: &Weights) -> Vec<f64> {
     let kappa = weights.diffusion * smoothing * u * u;
     let strength = |i: usize| {
         let k = if weights.everywhere { kappa } else { kappa * cut[i].power };
-        if g.gives_way(i) { k } else { 0.0 }
+        if g.is_erodible(i) { k } else { 0.0 }
     };
     let mut out = smooth(g, &cut, strength);
     parallel::update(&mut out, |i, new| {
-        if !g.gives_way(i) {
+        if !g.is_erodible(i) {
             *new = g.z[i];
             return;
         }

@@ -146,8 +146,8 @@ impl Front {
                 self.material[site] -=
                     wear * pressure * (self.material[site] / resistance[k].max(1e-9)).clamp(1.0, 4.0);
             }
-            let gives_way = if wear > 0.0 { self.material[site] <= 0.0 } else { wanted[k] && resistance[k] < pressure };
-            if gives_way {
+            let retreats = if wear > 0.0 { self.material[site] <= 0.0 } else { wanted[k] && resistance[k] < pressure };
+            if retreats {
                 fallen.push(site);
             } else if pressure > 0.0 {
                 needed = needed.min(resistance[k] / pressure);

@@ -172,7 +172,7 @@ impl Params for CoastErosion {
         },
         Source {
             authors: "Pytel (2015)",
-            title: "Self-organized procedural modeling of terrains, University of Waterloo, section 4.2 and appendix B.1",
+            title: "Erosion, Self-Organization, and Procedural Modeling, thesis, University of Waterloo, section 4.2 and appendix B.1",
             doi: "",
         },
     ];

@@ -35,7 +35,7 @@ impl Params for PruneIslands {
     const NAME: &'static str = "prune_islands";
     const SOURCES: &'static [Source] = &[Source {
         authors: "Pytel (2015)",
-        title: "Self-organized procedural modeling of terrains, University of Waterloo, section 4.2.1",
+        title: "Erosion, Self-Organization, and Procedural Modeling, thesis, University of Waterloo, section 4.2.1",
         doi: "",
     }];
 }

@@ -142,10 +142,14 @@ impl Params for Dunes {
         },
         Source {
             authors: "Pytel (2015)",
-            title: "Self-organized procedural modeling of terrains, University of Waterloo, section 4.1",
+            title: "Erosion, Self-Organization, and Procedural Modeling, thesis, University of Waterloo, section 4.1",
             doi: "",
         },
-        Source { authors: "Koh (2002)", title: "Dramatic landscapes, Monash University, section 5.2", doi: "" },
+        Source {
+            authors: "Koh (2002)",
+            title: "Dramatic Landscapes: Cellular Automata Modeling of Landscape Phenomena, thesis, Monash University, section 5.2",
+            doi: "",
+        },
     ];
 
     fn check(&self) -> Result<()> {

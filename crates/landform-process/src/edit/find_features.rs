@@ -70,7 +70,8 @@ impl Params for FindFeatures {
 
 impl<T: Rasterize> Edit<T> for FindFeatures {
     fn edit(&self, terrain: &mut T, context: &Context) -> Result<()> {
-        let rainfall = self.rainfall.or(context.environment.uniform_rain()).map_or(FeatureSearch::USUAL_RAIN, Rate::si);
+        let rainfall =
+            self.rainfall.or(context.environment.uniform_rain()).map_or(FeatureSearch::DEFAULT_RAIN, Rate::si);
         let found = find_features(
             terrain,
             &FeatureSearch {

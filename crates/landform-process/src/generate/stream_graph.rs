@@ -61,6 +61,11 @@ impl Params for StreamGraph {
             title: "Modelling landscape evolution on geological time scales: a new method based on irregular spatial discretization, Basin Research 9",
             doi: "10.1046/j.1365-2117.1997.00030.x",
         },
+        Source {
+            authors: "Bell (2024)",
+            title: "Generating Terrain Models using the Stream Power Law, dissertation, University of Bath",
+            doi: "",
+        },
     ];
 
     fn check(&self) -> Result<()> {

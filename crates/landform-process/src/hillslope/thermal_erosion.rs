@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 /// Part of the excess that moves over a link in a round.
 const PART: f64 = 0.125;
 /// Talus angle where none is given, deg.
-const USUAL_ANGLE: f64 = 34.0;
+const DEFAULT_ANGLE: f64 = 34.0;
 /// 85 degrees.
 const STEEPEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
 
@@ -73,7 +73,7 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
     }
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
-        let given = || Angle::of(USUAL_ANGLE).into();
+        let given = || Angle::of(DEFAULT_ANGLE).into();
         let angle = match (&self.talus_angle, terrain.layers()) {
             (None, Some(_)) => return Ok(State { angle: None }),
             (angle, _) => angle.clone().unwrap_or_else(given).resolve("talus_angle", terrain, context)?,
@@ -93,7 +93,7 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
         let angle = |i: usize| match (&state.angle, terrain.layers()) {
             (Some(angle), _) => angle.at(i),
             (None, Some(layers)) => layers.surface(i, z[i]).repose,
-            (None, None) => Angle::of(USUAL_ANGLE).si(),
+            (None, None) => Angle::of(DEFAULT_ANGLE).si(),
         };
         let steepest = parallel::map(z.len(), |i| math::tan(angle(i)));
         // What moves from `i` to `j`, as a height on a node of mean size; the angle is that of the ground that slips.

@@ -180,7 +180,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         if let Some(outlets) = &self.outlets {
             outlets.apply(terrain, sea_level, context)?;
         }
-        let base = if self.ends_in_sea() { afloat(terrain) } else { base_levels(terrain)? };
+        let base = if self.ends_in_sea() { nodes_below_sea(terrain) } else { base_levels(terrain)? };
         let rain = match self.rainfall.as_ref().or(context.environment.rainfall.as_ref()) {
             Some(rainfall) => {
                 let rain = rainfall.resolve("rainfall", terrain, context)?;
@@ -201,7 +201,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             state.scratch.domain = None;
             let status = at_or_under(state.sea_level, terrain);
             if !status.contains(&Status::BaseLevel) {
-                return Err(the_sea_is_gone(state.sea_level, at));
+                return Err(no_sea_error(state.sea_level, at));
             }
             Arc::make_mut(&mut domain).set_status(status);
             state.scratch.domain = Some(domain.clone());
@@ -286,13 +286,13 @@ impl<T: NodeSurface> Process<T> for StreamPower {
 /// The layer that rivers deposit.
 const LAID: Layer = Layer::Surface("sediment");
 
-fn the_sea_is_gone(level: f64, at: &Step) -> Error {
+fn no_sea_error(level: f64, at: &Step) -> Error {
     let when = format!("\"sea\", but after {:.4} Myr no ground is at or under {level} m", at.time / MYR);
     Error::parameter("outlets", when, "ground that stays under the sea (no uplift there), or outlets = \"border\"")
 }
 
 /// Lets every node move: at the sea nothing is held.
-fn afloat<T: NodeSurface>(terrain: &mut T) -> Vec<(u32, f64)> {
+fn nodes_below_sea<T: NodeSurface>(terrain: &mut T) -> Vec<(u32, f64)> {
     let domain = terrain.domain();
     let loose =
         domain.status().iter().map(|&s| if s == Status::Masked { Status::Masked } else { Status::Interior }).collect();

@@ -105,6 +105,11 @@ impl Params for StreamPower {
             doi: "10.1111/cgf.12820",
         },
         Source {
+            authors: "Bell (2024)",
+            title: "Generating Terrain Models using the Stream Power Law, dissertation, University of Bath",
+            doi: "",
+        },
+        Source {
             authors: "Yuan et al. (2019)",
             title: "A new efficient method to solve the stream power law model taking into account sediment deposition, JGR Earth Surface 124",
             doi: "10.1029/2018JF004867",

@@ -76,8 +76,11 @@ impl Default for StreamAutomaton {
 impl Params for StreamAutomaton {
     const NAME: &'static str = "stream_automaton";
     const RENAMED: &'static [(&'static str, &'static str)] = &[("passes", "iterations")];
-    const SOURCES: &'static [Source] =
-        &[Source { authors: "Koh (2002)", title: "Simulating landscape effects with cellular automata", doi: "" }];
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Koh (2002)",
+        title: "Dramatic Landscapes: Cellular Automata Modeling of Landscape Phenomena, thesis, Monash University, section 5.1",
+        doi: "",
+    }];
 
     fn check(&self) -> Result<()> {
         if !self.flood && (self.springs.is_empty() || self.spring_steps == 0) {

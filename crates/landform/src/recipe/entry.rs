@@ -274,26 +274,25 @@ impl EntryReader<'_> {
     /// Gives keys of earlier recipes their present names, with a note.
     fn modernize(&self, stage: &str, renamed: &[(&str, &str)], node: &mut Node) -> Result<()> {
         for (old, new) in renamed {
-            // A key that is only still read has no new name.
-            let (new, moves) = new.strip_prefix('!').map_or((*new, true), |n| (n, false));
-            let Some(entry) = node.get(old).filter(|_| !moves).cloned().or_else(|| node.remove(old)) else { continue };
+            let Some(entry) = node.remove(old) else { continue };
             let path: Vec<&str> = new.split('.').collect();
-            if moves {
-                if node.has(&path) {
-                    let what = format!("`{stage}`: `{old}` and `{new}` are the same; one is enough");
-                    return Err(self.error(&entry.span, what, Some(format!("take `{old}` out"))));
-                }
-                if !node.set(&path, entry.node) {
-                    return Err(self.error(&entry.span, format!("`{stage}`: `{old}` is `{new}` now"), None));
-                }
+            if node.has(&path) {
+                let what = format!("`{stage}`: `{old}` and `{new}` are the same; one is enough");
+                return Err(self.error(&entry.span, what, Some(format!("take `{old}` out"))));
             }
-            let note = format!("`{stage}`: `{old}` is called `{new}` now");
-            let mut notes = self.notes.borrow_mut();
-            if !notes.contains(&note) {
-                notes.push(note);
+            if !node.set(&path, entry.node) {
+                return Err(self.error(&entry.span, format!("`{stage}`: `{old}` is `{new}` now"), None));
             }
+            self.note(format!("`{stage}`: `{old}` is called `{new}` now"));
         }
         Ok(())
+    }
+
+    fn note(&self, note: String) {
+        let mut notes = self.notes.borrow_mut();
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
     }
 
     fn watch(&self, entry: &super::tree::Entry, clock: &Clock) -> Result<Watch> {
@@ -318,8 +317,12 @@ impl EntryReader<'_> {
 
     /// Reads the parameters of a stage, once.
     fn read(&self, stage: &'static Stage, node: &mut Node) -> Result<ReadStage> {
+        let old: Vec<_> = stage.renamed.iter().filter(|(old, _)| node.get(old).is_some()).collect();
         self.modernize(stage.name, stage.renamed, node)?;
-        let refused = |refusal| self.refuse(stage.name, &(stage.form.properties)(), refusal, node);
+        for (key, new) in stage.obsolete.iter().filter(|(key, _)| node.get(key).is_some()) {
+            self.note(format!("`{}`: `{key}` is called `{new}` now", stage.name));
+        }
+        let refused = |refusal| by_old_names(self.refuse(stage.name, &(stage.form.properties)(), refusal, node), &old);
         stage.read(&node.json()).map_err(refused)
     }
 
@@ -374,6 +377,17 @@ impl EntryReader<'_> {
             message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
         self.error(span, format!("`{stage}`, `{path}`: {plain}"), None)
     }
+}
+
+/// The error, which also says how its keys are called in the recipe: names of old, and names now.
+fn by_old_names(error: Error, renamed: &[&(&str, &str)]) -> Error {
+    let Error::Recipe { at, mut what, hint } = error else { return error };
+    for (old, new) in renamed {
+        if what.contains(new) && !what.contains(old) {
+            what += &format!(" (`{new}` is `{old}` in the recipe)");
+        }
+    }
+    Error::Recipe { at, what, hint }
 }
 
 /// serde_json's message without its line and column, which refer to a text that the user does not see.

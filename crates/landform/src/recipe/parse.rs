@@ -290,7 +290,7 @@ fn today(node: &Node, path: &[&str]) -> Vec<String> {
     let owned = |p: &[&str]| p.iter().map(|w| w.to_string()).collect::<Vec<_>>();
     match path {
         ["clock", "max_steps"] if !node.has(path) => owned(&["clock", "iterations"]),
-        [_, rest @ ..] => match of_stage(path).filter(|new| !new.starts_with('!') && node.get(path[0]).is_none()) {
+        [_, rest @ ..] => match of_stage(path).filter(|_| node.get(path[0]).is_none()) {
             Some(new) => new.split('.').map(String::from).chain(owned(rest)).collect(),
             None => owned(path),
         },

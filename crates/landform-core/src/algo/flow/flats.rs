@@ -42,7 +42,9 @@ impl Flats {
     /// once to copy the surface, else O(pits).
     pub(super) fn tilt<D: Domain>(&mut self, domain: &D, elevation: &[f64], pits: &[usize], slot: &[u8]) -> bool {
         let equals = |i: usize| domain.neighbours(i).map(|l| l.to).filter(move |&j| elevation[j] == elevation[i]);
-        let level = |piece: Range<usize>| pits[piece].iter().copied().filter(|&i| equals(i).next().is_some()).collect();
+        // No neighbour of a pit is lower.
+        let is_level = |i: usize| domain.lowest(elevation, i).is_some_and(|(to, _)| elevation[to] == elevation[i]);
+        let level = |piece: Range<usize>| pits[piece].iter().copied().filter(|&i| is_level(i)).collect();
         self.level = parallel::map_pieces::<Vec<usize>>(pits.len(), level).concat();
         if self.level.is_empty() {
             return false;

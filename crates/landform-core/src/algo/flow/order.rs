@@ -20,7 +20,7 @@ const DONE: u8 = u8::MAX;
 const BEYOND: u8 = 1 << 7;
 
 /// An amount that a strip passes on to nodes downstream of seams.
-struct Gift {
+struct Inflow {
     donor: u32,
     /// Where the scan stood.
     time: u32,
@@ -48,11 +48,11 @@ pub(super) fn order_and_accumulate(
         own.push(end..end + placed);
         end += placed;
     }
-    let mut rest = Rest { receiver, donors, order, amount, placed: end, later: BinaryHeap::new() };
+    let mut rest = BeyondSeams { receiver, donors, order, amount, placed: end, later: BinaryHeap::new() };
     // Strips come one after the other, and so do their times.
-    for gift in scanned.iter().flat_map(|(_, gifts)| gifts) {
-        rest.until(gift.time);
-        rest.give(gift.donor as usize, gift.time);
+    for inflow in scanned.iter().flat_map(|(_, inflows)| inflows) {
+        rest.until(inflow.time);
+        rest.pass_on(inflow.donor as usize, inflow.time);
     }
     rest.until(u32::MAX);
     debug_assert_eq!(rest.placed, receiver.len(), "receivers form a cycle");
@@ -90,15 +90,15 @@ fn mark_beyond(receiver: &[u32], leaving: &[Vec<u32>], donors: &mut [u8]) {
     }
 }
 
-/// Orders a strip's own nodes; returns how many there are, and what they give to beyond.
+/// Orders a strip's own nodes; returns how many there are, and what they pass_on to beyond.
 fn scan(
     receiver: &[u32],
     first: usize,
     donors: &mut [u8],
     order: &mut [u32],
     amount: &mut [f64],
-) -> (usize, Vec<Gift>) {
-    let (mut placed, mut gifts) = (0, Vec::new());
+) -> (usize, Vec<Inflow>) {
+    let (mut placed, mut inflows) = (0, Vec::new());
     for from in 0..receiver.len() {
         let mut at = from;
         while donors[at] == 0 {
@@ -110,7 +110,7 @@ fn scan(
                 break;
             }
             if next >= donors.len() || donors[next] & BEYOND != 0 {
-                gifts.push(Gift { donor: (first + at) as u32, time: (first + from) as u32 });
+                inflows.push(Inflow { donor: (first + at) as u32, time: (first + from) as u32 });
                 break;
             }
             amount[next] += amount[at];
@@ -121,11 +121,11 @@ fn scan(
             at = next;
         }
     }
-    (placed, gifts)
+    (placed, inflows)
 }
 
 /// The nodes downstream of seams.
-struct Rest<'a> {
+struct BeyondSeams<'a> {
     receiver: &'a [u32],
     donors: &'a mut [u8],
     order: &'a mut [u32],
@@ -135,7 +135,7 @@ struct Rest<'a> {
     later: BinaryHeap<Reverse<u32>>,
 }
 
-impl Rest<'_> {
+impl BeyondSeams<'_> {
     /// Lets the scan come to a time.
     fn until(&mut self, time: u32) {
         while self.later.peek().is_some_and(|next| next.0 < time) {
@@ -146,7 +146,7 @@ impl Rest<'_> {
     }
 
     /// Gives what a node has to its receiver, and places what then waits for nothing.
-    fn give(&mut self, donor: usize, time: u32) {
+    fn pass_on(&mut self, donor: usize, time: u32) {
         let to = self.receiver[donor] as usize;
         self.amount[to] += self.amount[donor];
         self.donors[to] -= 1;

@@ -37,8 +37,7 @@ pub(super) fn find_passes<D: Domain>(
 ) -> Vec<Pass> {
     let mut found = Vec::new();
     // In a landscape that has almost drained most saddles lie within one basin.
-    let at_rim = |i: usize| domain.neighbours(i).any(|l| label[l.to] != label[i]);
-    for node in strip.clone().filter(|&i| saddle[i] != 0 && at_rim(i)) {
+    for node in strip.clone().filter(|&i| saddle[i] != 0 && domain.touches_other(label, i)) {
         let mut nth = 0;
         domain.lower_arcs(elevation, node, slot[node], |to| {
             let basins = [label[node], label[domain.neighbour(node, to)]];

@@ -11,7 +11,7 @@
 use std::ops::Range;
 
 use super::strips::{Receivers, split_receivers};
-use crate::grid::{Domain, Link, NO_SLOT, Status, is_below};
+use crate::grid::{Domain, NO_SLOT, Status, is_below};
 use crate::parallel;
 
 const RUN: usize = 32;
@@ -60,24 +60,22 @@ struct Looked {
 }
 
 fn look<D: Domain>(domain: &D, elevation: &[f64], pits: &[usize], receiver: &[u32], slot: &[u8]) -> Looked {
-    let lowest =
-        |i: usize| domain.neighbours(i).reduce(|a: Link, b| if is_below(elevation, b.to, a.to) { b } else { a });
     let status = domain.status();
+    let is_level = |to: usize, i: usize| is_below(elevation, to, i);
     // Where a node will drain; one of a flat may still be a pit itself.
     let drains_to = |i: usize| match slot[i] {
         NO_SLOT if status[i] == Status::Interior => {
-            lowest(i).map_or(i, |l| if is_below(elevation, l.to, i) { l.to } else { i })
+            domain.lowest(elevation, i).map_or(i, |(to, _)| if is_level(to, i) { to } else { i })
         }
         _ => receiver[i] as usize,
     };
     let mut looked = Looked::default();
     for &i in pits {
-        let link = lowest(i);
-        let level = link.is_some_and(|l| is_below(elevation, l.to, i));
-        looked.level += usize::from(level);
-        match link {
-            Some(l) if level || drains_to(l.to) != i => {
-                looked.opened.push(Opened { node: i as u32, receiver: l.to as u32, slot: l.slot });
+        let lowest = domain.lowest(elevation, i);
+        looked.level += usize::from(lowest.is_some_and(|(to, _)| is_level(to, i)));
+        match lowest {
+            Some((to, slot)) if is_level(to, i) || drains_to(to) != i => {
+                looked.opened.push(Opened { node: i as u32, receiver: to as u32, slot });
             }
             _ => looked.closed.push(i),
         }

@@ -17,14 +17,14 @@
 //! `tests`: Parseval, a sine at its wavelength, H of synthetic surfaces within 0.05, turning by 90 degrees.
 
 mod rings;
-mod seed_procedure;
+mod thesis_fit;
 mod transects;
 mod window;
 
 use serde::{Deserialize, Serialize};
 
 pub use rings::{LogBin, Ring};
-pub use seed_procedure::{ThesisFit, seed_fit};
+pub use thesis_fit::{ThesisFit, thesis_fit};
 pub use transects::{Transects, transects};
 pub use window::{Window, largest_square};
 
@@ -78,7 +78,7 @@ pub struct Spectrum {
     /// Wavelength that stands out most above the power law, m, and by what factor.
     pub peak: (f64, f64),
     /// The thesis' procedure.
-    pub seed_fit: ThesisFit,
+    pub thesis_fit: ThesisFit,
 }
 
 /// Densities of a window, for pictures and sums.
@@ -193,7 +193,7 @@ pub fn of_density(grid: &Grid, z: &[f64], window: Window, density: &Density) -> 
         hurst: (surface.exponent - 2.0) / 2.0,
         axes_over_diagonals: rings::axes_over_diagonals(density, &rings),
         peak: rings::peak(&rings, density.side),
-        seed_fit: seed_fit(density, z, window, grid.shape),
+        thesis_fit: thesis_fit(density, z, window, grid.shape),
         window,
         rings,
         bins,

@@ -91,7 +91,7 @@ fn the_seeds_figure_of_merit_cannot_see_the_slope() {
         let hurst = 0.5 + 0.48 * f64::from(k) / 32.0;
         let z = fbm(256, hurst, 100 + k as u64);
         let (window, d) = density(&grid, &z, false).unwrap();
-        let fit = seed_fit(&d, &z, window, grid.shape);
+        let fit = thesis_fit(&d, &z, window, grid.shape);
         assert_eq!(fit.points + fit.removed, 32_770 - 5);
         assert!((fit.exponent - 2.0 * hurst - 2.0).abs() < 0.1, "{fit:?}");
         let steep = fit.exponent * fit.exponent * 0.25;
@@ -100,7 +100,7 @@ fn the_seeds_figure_of_merit_cannot_see_the_slope() {
         // The thesis' own range comes out for the exponent of a profile, 2H + 1.
         let z = fbm(256, hurst - 0.5, 100 + k as u64);
         let (window, d) = density(&grid, &z, false).unwrap();
-        let fit = seed_fit(&d, &z, window, grid.shape);
+        let fit = thesis_fit(&d, &z, window, grid.shape);
         assert!((0.33..0.60).contains(&fit.r2), "{fit:?}");
     }
 }

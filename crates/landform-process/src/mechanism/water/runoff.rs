@@ -16,8 +16,8 @@ impl Sweep {
 
     /// Fills pools and routes their overflow, the highest first, until all water stands or has left.
     pub(super) fn route_overflow(&mut self, input: &RunoffInput) {
-        while let Some((_, late)) = self.queue.pop() {
-            match late {
+        while let Some((_, event)) = self.queue.pop() {
+            match event {
                 OverflowEvent::Node(node) => self.route_from(input, node as usize),
                 OverflowEvent::Pool(pool) => {
                     let water = std::mem::take(&mut self.inflow[pool as usize]);
@@ -37,7 +37,7 @@ impl Sweep {
 
     /// Routes overflow on from a node.
     fn route_from(&mut self, input: &RunoffInput, i: usize) {
-        let water = std::mem::take(&mut self.late[i]);
+        let water = std::mem::take(&mut self.overflow[i]);
         self.passed[i] += water;
         if input.is_end(i) {
             self.left += water;
@@ -73,10 +73,10 @@ impl Sweep {
     }
 
     fn send_to_node(&mut self, input: &RunoffInput, node: usize, amount: f64) {
-        if self.late[node] == 0.0 {
+        if self.overflow[node] == 0.0 {
             self.queue.push((Height(input.ground[node]), OverflowEvent::Node(node as u32)));
         }
-        self.late[node] += amount;
+        self.overflow[node] += amount;
     }
 
     /// Water comes into a pool at one of its nodes.

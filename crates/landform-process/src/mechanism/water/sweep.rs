@@ -32,7 +32,7 @@ pub struct Sweep {
     /// Water that passed each node, m of depth.
     pub(super) passed: Vec<f64>,
     /// Overflow for nodes, m of depth, and the nodes and pools that have any, by height.
-    pub(super) late: Vec<f64>,
+    pub(super) overflow: Vec<f64>,
     pub(super) queue: BinaryHeap<(Height, OverflowEvent)>,
     /// Water for pools, m of depth, by pool.
     pub(super) inflow: Vec<f64>,
@@ -41,7 +41,7 @@ pub struct Sweep {
     pub(super) net: Vec<f64>,
     table: NeighbourTable,
     /// The ground without what is less than a grain, and with its flats tilted.
-    even: Vec<f64>,
+    routing_ground: Vec<f64>,
 }
 
 impl Sweep {
@@ -52,13 +52,13 @@ impl Sweep {
             order: Vec::new(),
             pools: Pools::default(),
             passed: Vec::new(),
-            late: Vec::new(),
+            overflow: Vec::new(),
             queue: BinaryHeap::new(),
             inflow: Vec::new(),
             left: 0.0,
             net: Vec::new(),
             table: NeighbourTable::default(),
-            even: Vec::new(),
+            routing_ground: Vec::new(),
         }
     }
 
@@ -69,12 +69,12 @@ impl Sweep {
 
     /// The ground that the last round ran over, within a micrometre of its input.
     pub fn ran_over(&self) -> &[f64] {
-        &self.even
+        &self.routing_ground
     }
 
     /// One round: `standing` is the depth of standing water before, and after.
     pub fn round(&mut self, domain: &RasterDomain, ground: &[f64], supply: &Supply, standing: &mut [f64]) -> Ledger {
-        let mut even = std::mem::take(&mut self.even);
+        let mut even = std::mem::take(&mut self.routing_ground);
         even.resize(ground.len(), 0.0);
         let status = domain.status();
         parallel::fill(&mut even, |i| {
@@ -84,7 +84,7 @@ impl Sweep {
             even = tilted;
         }
         let ledger = self.run(&RunoffInput { domain, ground: &even, supply }, standing);
-        self.even = even;
+        self.routing_ground = even;
         ledger
     }
 
@@ -93,14 +93,14 @@ impl Sweep {
         self.passed.clear();
         self.passed.extend(input.supply.depth.iter().map(|water| water.max(0.0)));
         self.left = 0.0;
-        for list in [&mut self.late, &mut self.net] {
+        for list in [&mut self.overflow, &mut self.net] {
             list.clear();
             list.resize(n, 0.0);
         }
         self.inflow.clear();
         self.pools.clear(n);
         let mut ledger = Ledger { entered: input.supply.total, ..Ledger::default() };
-        let mut held = self.take_up(input, standing, &mut ledger);
+        let mut held = self.collect_standing(input, standing, &mut ledger);
         for pit in self.route_runoff(input) {
             let stood = held.remove(&pit).unwrap_or(0.0);
             self.new_pool(input, pit as usize, self.passed[pit as usize], stood);
@@ -125,7 +125,12 @@ impl Sweep {
 
     /// Takes up the standing water, pool by pool: water that a depression still holds is kept for its lowest node, the rest
     /// (where the ground was eroded since) runs off with the rain.
-    fn take_up(&mut self, input: &RunoffInput, standing: &mut [f64], ledger: &mut Ledger) -> BTreeMap<u32, f64> {
+    fn collect_standing(
+        &mut self,
+        input: &RunoffInput,
+        standing: &mut [f64],
+        ledger: &mut Ledger,
+    ) -> BTreeMap<u32, f64> {
         let RunoffInput { domain, ground, supply } = input;
         let mut held = BTreeMap::new();
         let mut stack = Vec::new();
