@@ -5,9 +5,9 @@ use std::process::ExitCode;
 
 use landform::core::Result;
 use landform::core::error::bytes_text;
+use landform::io::memory;
 use landform::recipe::{Cache, Override, Plan, Recipe};
 
-use crate::memory;
 use crate::part::Part;
 use crate::run::salt;
 use crate::show_error::{Failure, about};

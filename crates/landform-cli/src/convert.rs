@@ -6,7 +6,8 @@ use std::process::ExitCode;
 use landform::core::terrain::NodeSurface;
 use landform::io::files::write_whole;
 use landform::io::format::{
-    DataType, RasterFile, Reading, mesh_file_from_height_field, mesh_format, raster_format, read_raster, sidecar_path,
+    DataType, RasterFile, Reading, mesh_file_from_height_field, mesh_format, raster_format_to_write, read_raster,
+    sidecar_path,
 };
 
 use crate::show_error::Failure;
@@ -21,7 +22,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let mesh = mesh_format(&args.output);
-    let raster = raster_format(&args.output);
+    let raster = raster_format_to_write(&args.output);
     if let (Err(_), Err(unknown)) = (&mesh, &raster) {
         let hint = "for a mesh: glb, obj, ply, stl".to_string();
         return Err(landform::core::Error::Recipe { at: None, what: unknown.to_string(), hint: Some(hint) }.into());

@@ -33,7 +33,6 @@ mod completions;
 mod convert;
 mod ground;
 mod man;
-mod memory;
 mod new;
 mod part;
 mod progress;

@@ -10,10 +10,10 @@ use landform::core::parallel::with_threads;
 use landform::core::verb::CancelToken;
 use landform::core::{Error, Result};
 use landform::io::files::Folder;
+use landform::io::memory;
 use landform::recipe::{Cache, Options, Override, Ran, Recipe, Signal};
 
 use crate::cache::Size;
-use crate::memory;
 use crate::part::Part;
 use crate::progress::{Reporter, Style};
 use crate::show_error::{Failure, about};

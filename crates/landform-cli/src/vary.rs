@@ -9,9 +9,9 @@ use landform::core::{Error, Result};
 use landform::io::export::{ViewKind, WritePicture};
 use landform::io::files::write_whole;
 use landform::io::format::encode_png;
+use landform::io::memory;
 use landform::recipe::{Over, Recipe, Sweep, contact_sheet};
 
-use crate::memory;
 use crate::show_error::{Failure, about};
 
 #[derive(clap::Args)]

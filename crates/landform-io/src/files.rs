@@ -31,11 +31,15 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     })
 }
 
-/// Reads a whole file.
+/// Reads a whole file. A device or a pipe, which may have no end, is refused.
 ///
 /// # Errors
 /// [`Error::Io`].
 pub fn read_whole(path: &Path) -> Result<Vec<u8>> {
+    if fs::metadata(path).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
+        let kind = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is a device or a pipe, not a file");
+        return Err(Error::io("read", path, kind));
+    }
     fs::read(path).map_err(|e| Error::io("read", path, e))
 }
 
@@ -107,5 +111,16 @@ impl Output for Folder {
         write_whole(&target, bytes)?;
         self.written.push(target);
         Ok(())
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_device_without_an_end_is_refused() {
+        let error = read_whole(Path::new("/dev/zero")).unwrap_err();
+        assert!(error.to_string().contains("a device or a pipe"), "{error}");
     }
 }

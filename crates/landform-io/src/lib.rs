@@ -9,12 +9,14 @@
 //! | [`measure`] | the stages that measure |
 //! | [`export`] | the stages that write files |
 //! | [`files`] | files that are written whole or not at all |
+//! | [`memory`] | how much memory is left |
 
 pub mod export;
 pub mod files;
 pub mod format;
 pub mod import;
 pub mod measure;
+pub mod memory;
 pub mod render;
 pub mod report;
 

@@ -84,7 +84,13 @@ pub(crate) fn valleys<T: NodeSurface>(terrain: &T) -> Vec<Status> {
 
 /// As [`valleys`], and the rims of nodata inside, such as lakes that were cut out.
 pub(crate) fn holes<T: NodeSurface>(terrain: &T) -> Vec<Status> {
-    let (mut new, domain) = (valleys(terrain), terrain.domain());
+    let mut new = valleys(terrain);
+    open_holes(&*terrain.domain(), &mut new);
+    new
+}
+
+/// Makes the rims of nodata inside base levels.
+pub(crate) fn open_holes<D: Domain>(domain: &D, new: &mut [Status]) {
     let status = domain.status();
     for hole in (0..status.len()).filter(|&i| status[i] == Status::Masked) {
         // The rim of outer nodata is of the border already.
@@ -92,7 +98,6 @@ pub(crate) fn holes<T: NodeSurface>(terrain: &T) -> Vec<Status> {
             new[link.to] = Status::BaseLevel;
         }
     }
-    new
 }
 
 /// Base level on sides of the bounding rectangle.

@@ -71,7 +71,7 @@ pub const SPECTRUM_PLOT: usize = 321;
 
 /// Measures a raster. With a `sea_level` (m), ground at or under it is left out of everything but the coast.
 ///
-/// Flow leaves where the terrain says, for ground from a file: at the border and at nodata.
+/// Flow leaves where the terrain says (for ground from a file: at the border), and into nodata.
 ///
 /// **Cost** O(n log n), about 90 bytes a node at its peak.
 ///
@@ -101,7 +101,7 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
     let hypsometry = of_sorted(&sorted);
     drop(sorted);
     let (network, form) = {
-        let drainage = Drainage::of(land, None, 0.0);
+        let drainage = Drainage::with_open_holes(land);
         let sinks = share_in_sinks(&drainage.flow, z);
         let network = network(&drainage, z);
         let domain = drainage.domain.clone();
@@ -154,5 +154,26 @@ fn elevations(field: &HeightField, sorted: &[f64]) -> Elevations {
         mean,
         median: if n % 2 == 1 { sorted[n / 2] } else { 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]) },
         deviation: variance.sqrt(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{Grid, Shape};
+
+    #[test]
+    fn what_drains_into_a_hole_is_in_no_sink() {
+        let grid = Grid::new(Shape::new(41, 41), [10.0, 10.0]).unwrap();
+        let bowl = |at: usize| {
+            let (r, c) = ((at / 41) as f64 - 20.0, (at % 41) as f64 - 20.0);
+            if at == 20 * 41 + 20 { f64::NAN } else { r * r + c * c }
+        };
+        let with_hole = HeightField::new(grid.clone(), (0..grid.len()).map(bowl).collect()).unwrap();
+        let (m, _) = metrics(&with_hole, None).unwrap();
+        assert_eq!(m.form.sinks, 0.0);
+        let filled = (0..grid.len()).map(|at| if bowl(at).is_nan() { 0.0 } else { bowl(at) }).collect();
+        let (m, _) = metrics(&HeightField::new(grid, filled).unwrap(), None).unwrap();
+        assert!(m.form.sinks > 0.7, "{}", m.form.sinks);
     }
 }

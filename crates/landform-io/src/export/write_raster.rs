@@ -9,7 +9,9 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::format::{Compression, DataType, GeotiffOptions, RasterFile, Samples, raster_format, sidecar_path};
+use crate::format::{
+    Compression, DataType, GeotiffOptions, RasterFile, Samples, raster_format, raster_format_to_write, sidecar_path,
+};
 
 /// Writes a field as a raster file; the extension sets the format: tif, asc, exr, npy, png (16 bit), pgm, r16. Formats that do
 /// not hold scale and position get a sidecar, with .landform.json after the file's name. It also says what classes mean.
@@ -56,7 +58,7 @@ impl Params for WriteRaster {
 
     fn check(&self) -> Result<()> {
         file_path(&self.path)?;
-        raster_format(Path::new(&self.path)).map(drop)
+        raster_format_to_write(Path::new(&self.path)).map(drop)
     }
 }
 
@@ -78,7 +80,7 @@ impl Export<HeightField> for WriteRaster {
             }
             _ => Vec::new(),
         };
-        let format = raster_format(Path::new(&self.path))?;
+        let format = raster_format_to_write(Path::new(&self.path))?;
         let tile = self.tiled.then_some(512);
         let file = RasterFile {
             grid: terrain.grid(),

@@ -55,10 +55,13 @@ pub use reading::{Reading, UNPLACED};
 pub use sidecar::Sidecar;
 pub(crate) use systems::{is_geographic, is_in_metres, is_web_mercator};
 pub use table::{
-    MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFormat, load_raster, mesh_format, raster_format, read_raster,
+    MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFormat, load_raster, mesh_format, raster_format,
+    raster_format_to_write, read_raster,
 };
 
 use landform_core::{Error, Result};
+
+use crate::memory;
 
 /// The most bytes that a file of a given length may unpack to: deflate's best ratio is 1032, and small files may be all alike.
 fn most_unpacked(file_length: usize) -> u64 {
@@ -78,7 +81,10 @@ fn check_dimensions(
     }
     let bytes = rows.checked_mul(cols).and_then(|n| n.checked_mul(bytes_per_sample));
     match bytes {
-        Some(b) if b <= most_unpacked(file_length) && rows * cols < u64::from(u32::MAX) => Ok(()),
+        Some(b) if b <= most_unpacked(file_length) && rows * cols < u64::from(u32::MAX) => {
+            // Samples as they are stored, and as numbers of eight bytes.
+            memory::require(format, &format!("a raster of {cols} x {rows} samples"), b + 8 * rows * cols)
+        }
         _ => Err(Error::format(
             format,
             format!("it claims {cols} x {rows} samples, more than {file_length} bytes can hold"),

@@ -151,6 +151,18 @@ pub fn raster_format(path: &Path) -> Result<&'static RasterFormat> {
     })
 }
 
+/// The raster format of a path that is written.
+///
+/// # Errors
+/// As [`raster_format`], and for `.ppm`, which holds colours.
+pub fn raster_format_to_write(path: &Path) -> Result<&'static RasterFormat> {
+    if extension(path) == "ppm" {
+        let value = format!("\"{}\", a file of colours", path.display());
+        return Err(Error::parameter("path", value, "a name that ends with .pgm: elevations are grey"));
+    }
+    raster_format(path)
+}
+
 /// The mesh format of a path.
 ///
 /// # Errors

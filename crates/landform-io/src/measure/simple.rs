@@ -129,7 +129,7 @@ pub type DrainageMeasured = Network;
 measure!(
     /// Measures the drainage network: exponents of area and length, slope against area, chi, stream orders and ratios, density.
     MeasureDrainage, "measure_drainage", "drainage.json", [HORTON, CHI], DrainageMeasured, |raster| {
-        network(&Drainage::of(&*raster, None, 0.0), raster.elevation())
+        network(&Drainage::with_open_holes(&*raster), raster.elevation())
     }
 );
 

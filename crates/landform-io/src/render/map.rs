@@ -81,15 +81,15 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     Ok(paint(grid.shape, &colours, style.size))
 }
 
-/// Any field in a colour ramp over faint relief.
+/// Any field in a colour ramp over faint relief. On a logarithmic ramp zeros have the lowest colour, and so has the lowest
+/// hundredth of what is above zero.
 ///
 /// # Errors
 /// Where [`HeightField::new`] fails.
 pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Result<Picture> {
     let (lo, hi) = range(field.elevation());
     let shade = relief(field.grid(), field.elevation(), hi - lo);
-    let scaled: Vec<f64> =
-        values.iter().map(|&v| if style.logarithmic { math::log10(v.max(f64::MIN_POSITIVE)) } else { v }).collect();
+    let scaled = if style.logarithmic { logarithms(values) } else { values.to_vec() };
     let (a, b) = range(&scaled);
     let colours = parallel::map(scaled.len(), |i| {
         if scaled[i].is_nan() {
@@ -98,6 +98,14 @@ pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Resul
         scale(style.ramp.at((scaled[i] - a) / (b - a).max(1e-300)), 0.75 + 0.25 * shade[i])
     });
     Ok(paint(field.grid().shape, &colours, style.size))
+}
+
+/// Decadic logarithms, cut off below at the first percentile of what is above zero.
+fn logarithms(values: &[f64]) -> Vec<f64> {
+    let mut positive: Vec<f64> = values.iter().copied().filter(|&v| v > 0.0 && v.is_finite()).collect();
+    parallel::sort_by(&mut positive, f64::total_cmp);
+    let least = positive.get(positive.len() / 100).copied().unwrap_or(1.0);
+    values.iter().map(|&v| if v.is_nan() { v } else { math::log10(v.max(least)) }).collect()
 }
 
 /// Heights gained (red) and lost (blue) over grey relief; colours are as strong as the amount against its 99th percentile.
@@ -183,4 +191,17 @@ fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
         to_srgb(scale(sum, 1.0 / (taps * taps) as f64))
     });
     Picture { shape: target, pixels }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_do_not_stretch_a_logarithmic_ramp() {
+        let values: Vec<f64> = (0..1000).map(|i| if i < 15 { 0.0 } else { f64::from(i) }).collect();
+        let (lo, hi) = range(&logarithms(&values));
+        assert!(lo > 1.0 && hi < 3.0, "{lo} {hi}");
+        assert_eq!(range(&logarithms(&[0.0, 0.0])), (0.0, 0.0));
+    }
 }

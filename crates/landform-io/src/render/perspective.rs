@@ -124,19 +124,13 @@ impl Camera {
         let forward = scale(back, -1.0);
         let right = normalize(cross(forward, [0.0, 0.0, 1.0]));
         let up = cross(right, forward);
-        let corners: Vec<Vector> = (0..8)
-            .map(|k| {
-                let pick = |bit: usize, lo: f64, hi: f64| if k >> bit & 1 == 0 { lo } else { hi };
-                // The heights seldom stand at the corners; half of them is a fair allowance.
-                [pick(0, 0.0, w), pick(1, 0.0, h), pick(2, scene.foot, 0.5 * (scene.low + scene.high))]
-            })
-            .collect();
+        let outline = scene.outline();
         // Step by step: put the middle of what is seen in the middle of the frame, then stand as near as it fits.
         let (mut aim, mut distance) = (centre, 3.0 * (w + h));
         for _ in 0..12 {
             let seen = |axis: Vector| {
                 let project = |p: &Vector| dot(sub(*p, aim), axis) / (distance + dot(sub(*p, aim), forward));
-                corners.iter().map(project).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)))
+                outline.iter().map(project).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)))
             };
             let ((l, r), (b, t)) = (seen(right), seen(up));
             let fill = ((r - l) / (2.0 * half_height * aspect)).max((t - b) / (2.0 * half_height));
@@ -181,7 +175,27 @@ struct Scene {
     background: Vec<Rgb>,
 }
 
+/// Blocks along a side whose highest points the frame must hold.
+const FRAMED: usize = 96;
+
 impl Scene {
+    /// Points that the frame must hold: the corners of the foot, and the highest point of every part of the surface.
+    fn outline(&self) -> Vec<Vector> {
+        let Shape { rows, cols } = self.shape;
+        let [w, h] = self.extent;
+        let mut points = vec![[0.0, 0.0, self.foot], [w, 0.0, self.foot], [0.0, h, self.foot], [w, h, self.foot]];
+        let step = (rows.max(cols) / FRAMED).max(1);
+        for (r, c) in (0..rows).step_by(step).flat_map(|r| (0..cols).step_by(step).map(move |c| (r, c))) {
+            let block = (r..(r + step).min(rows)).flat_map(|r| (c..(c + step).min(cols)).map(move |c| (r, c)));
+            let height = |&(r, c): &(usize, usize)| self.surface[self.shape.index(r, c)];
+            if let Some((r, c)) = block.max_by(|a, b| height(a).total_cmp(&height(b))) {
+                let [x, y] = [c as f64 * self.spacing[0], (rows - 1 - r) as f64 * self.spacing[1]];
+                points.push([x, y, height(&(r, c))]);
+            }
+        }
+        points
+    }
+
     fn new(field: &HeightField, view: &View) -> Self {
         let grid = field.grid();
         let extent = grid.extent().map(|e| e.max(1e-6));
@@ -525,4 +539,28 @@ fn cross(a: Vector, b: Vector) -> Vector {
 fn normalize(v: Vector) -> Vector {
     let length = dot(v, v).sqrt();
     if length > 0.0 { scale(v, 1.0 / length) } else { v }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_frame_holds_the_highest_summit() {
+        let grid = Grid::new(Shape::new(40, 60), [10.0, 10.0]).unwrap();
+        // One needle at a far corner.
+        let z = (0..grid.len()).map(|i| if i == 3 * 60 + 4 { 400.0 } else { 0.0 }).collect();
+        let field = HeightField::new(grid, z).unwrap();
+        for from in [0.0, 1.0, 2.5, 4.0] {
+            let view = View { width: 160, height: 90, from, ..View::default() };
+            let scene = Scene::new(&field, &view);
+            let camera = Camera::new(&scene, &view);
+            for point in scene.outline() {
+                let d = sub(point, camera.at);
+                let far = dot(d, camera.forward) * camera.half_height;
+                let (x, y) = (dot(d, camera.right) / (far * camera.aspect), dot(d, camera.up) / far);
+                assert!(x.abs() < 1.0 && y.abs() < 1.0, "from {from}: {point:?} at {x}, {y}");
+            }
+        }
+    }
 }

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 pub struct StreamGraph {
     /// Extent east and north.
-    #[schemars(extend("x-above" = 0.0))]
+    #[schemars(extend("x-min" = 0.001, "x-max" = 1e9))]
     pub size: [Length; 2],
     /// Number of nodes, to about 2 %. It is not used if `spacing` is given.
     #[schemars(extend("x-min" = 12, "x-max" = 20_000_000, "x-role" = "count"))]

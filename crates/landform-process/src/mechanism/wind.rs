@@ -85,7 +85,7 @@ impl WindScan {
         scratch.resize(lines * length, 0.0);
         self.gather(&height, scratch);
         let (low, high) = scratch.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), &h| (a.min(h), b.max(h)));
-        let reach = if high > low { ((high - low) / drop) as usize + 2 } else { 1 };
+        let reach = if high > low { (((high - low) / drop) as usize).saturating_add(2) } else { 1 };
         let mut before = vec![f32::NEG_INFINITY; length];
         let mut here = before.clone();
         // On a torus the wind comes from the last lines: from as far as any shadow reaches.

@@ -9,7 +9,7 @@
 //! | symbol | here | unit | meaning |
 //! |---|---|---|---|
 //! | K | `erodibility` | m^(1−2m)/s (n = 1) | how easily the bed is cut |
-//! | A | drainage area | m² | weighted by rainfall over its mean, if rainfall is given |
+//! | A | drainage area | m² | weighted by rainfall over 1 m/yr, if rainfall is given |
 //! | m, n | `area_exponent`, `slope_exponent` | – | exponents |
 //! | G | `deposition` | – | how readily sediment settles |
 //! | α | `talus_angle` | rad | steepest stable slope |
@@ -34,7 +34,7 @@
 //!
 //! # Sources
 //! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Yuan et al. (2019) for deposition; Bell
-//! (thesis), eqs. 3.5–3.7. The thesis' listing updates children from the receiver's old elevation, which is not the scheme that
+//! (2024), eqs. 3.5–3.7 and algorithm 8 for rainfall, which we measure in 1 m/yr. The thesis' listing updates children from the receiver's old elevation, which is not the scheme that
 //! it states (validation notes 3.3).
 //!
 //! # Checked by
@@ -78,7 +78,7 @@ use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
 use landform_core::grid::{Domain, Status};
 use landform_core::terrain::{HeightField, Layer, Layers, Mesh, NodeSurface};
-use landform_core::units::MYR;
+use landform_core::units::{MYR, YEAR};
 use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step};
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
@@ -283,6 +283,9 @@ impl<T: NodeSurface> Process<T> for StreamPower {
     }
 }
 
+/// Rainfall at which drainage area stands for discharge, m/s: 1 m/yr.
+const REFERENCE_RAIN: f64 = 1.0 / YEAR;
+
 /// The layer that rivers deposit.
 const LAID: Layer = Layer::Surface("sediment");
 
@@ -313,24 +316,20 @@ fn base_levels<T: NodeSurface>(terrain: &T) -> Result<Vec<(u32, f64)>> {
     Ok(base)
 }
 
-/// Rainfall over its area-weighted mean, so that erodibility keeps its meaning; none where it is uniform.
+/// Rainfall over [`REFERENCE_RAIN`]; none where it is that.
 fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f64>>> {
-    let rain = match rain {
-        Resolved::Uniform(rain) if *rain > 0.0 => return Ok(None),
-        Resolved::Uniform(_) => return Err(Error::parameter("rainfall", "0 everywhere", "rain somewhere")),
-        Resolved::PerNode(rain) => rain,
-    };
-    let areas = node_areas(domain);
-    let valid = |i: usize| domain.status()[i] != Status::Masked;
-    if let Some(i) = parallel::find_first(rain.len(), |i| valid(i) && rain[i] < 0.0) {
-        return Err(Error::parameter("rainfall", format!("negative at node {i}"), "at least 0 everywhere"));
+    if matches!(rain, Resolved::Uniform(rain) if *rain == REFERENCE_RAIN) {
+        return Ok(None);
     }
-    let total = parallel::sum(rain.len(), |i| if valid(i) { rain[i] * areas[i] } else { 0.0 });
-    let mean = total / parallel::sum(areas.len(), |i| areas[i]);
-    if !(mean > 0.0) {
+    let valid = |i: usize| domain.status()[i] != Status::Masked;
+    let relative = parallel::map(domain.len(), |i| if valid(i) { rain.at(i) / REFERENCE_RAIN } else { 0.0 });
+    if let Some(i) = parallel::find_first(relative.len(), |i| !(relative[i] >= 0.0)) {
+        return Err(Error::parameter("rainfall", format!("negative or unknown at node {i}"), "at least 0 everywhere"));
+    }
+    if !(parallel::max(relative.len(), |i| relative[i]) > 0.0) {
         return Err(Error::parameter("rainfall", "0 everywhere", "rain somewhere"));
     }
-    Ok(Some(parallel::map(rain.len(), |i| if valid(i) { rain[i] / mean } else { 0.0 })))
+    Ok(Some(relative))
 }
 
 /// Turns elevations before the step into rates of lowering, m/s; returns the volume lowered, m³.

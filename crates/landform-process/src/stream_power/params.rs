@@ -37,8 +37,8 @@ pub struct StreamPower {
     /// carry everything away; rivers on sediment have about 0.2 to 2.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100.0))]
     pub deposition: f64,
-    /// Rainfall. Drainage area is weighted by rainfall over its mean, and the discharge of rivers follows from it. If not given,
-    /// it is the environment's rainfall, or else uniform.
+    /// Rainfall. Drainage area is weighted by rainfall over 1 m/yr, so a wetter land is worn more; the discharge of rivers follows
+    /// from it. If not given, it is the environment's rainfall, or else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Varying<RateDimension>>,
     /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low points of the border), "sea"

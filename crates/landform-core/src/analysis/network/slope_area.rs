@@ -28,7 +28,7 @@ pub struct SlopeArea {
 
 /// Slope–area relation over nodes with a receiver and at least `least_area` m² of drainage.
 pub fn slope_area<T: NodeSurface>(terrain: &T, least_area: f64) -> SlopeArea {
-    let drainage = Drainage::of(terrain, None, 0.0);
+    let drainage = Drainage::with_open_holes(terrain);
     let carved = carved(&drainage, terrain.elevation());
     slope_area_of(&drainage, &carved, least_area, f64::INFINITY)
 }

@@ -11,10 +11,10 @@ pub use lakes::{Lake, lakes};
 pub use rivers::{RiverReach, Width, rivers};
 
 use crate::algo::flow::{Flow, node_areas};
-use crate::algo::outlets::{at_or_under, fill_inland_water};
+use crate::algo::outlets::{at_or_under, fill_inland_water, open_holes};
 use crate::algo::outline::Ring;
 use crate::field::names;
-use crate::grid::{Domain, Grid};
+use crate::grid::{Domain, Grid, Status};
 use crate::parallel;
 use crate::terrain::{NodeSurface, sea_level as terrain_sea_level};
 
@@ -45,6 +45,21 @@ impl<D: Domain> Drainage<D> {
         if let Some(level) = sea_level {
             Arc::make_mut(&mut domain).set_status(at_or_under(level, terrain));
         }
+        Self::over(terrain, domain, sea_level, rainfall)
+    }
+
+    /// As [`Drainage::of`], for measures of ground: what drains into nodata inside has left, as it has at the border.
+    pub fn with_open_holes<T: NodeSurface<Domain = D>>(terrain: &T) -> Self {
+        let mut domain = terrain.domain();
+        let mut status = domain.status().to_vec();
+        if status.contains(&Status::Masked) {
+            open_holes(&*domain, &mut status);
+            Arc::make_mut(&mut domain).set_status(status);
+        }
+        Self::over(terrain, domain, None, 0.0)
+    }
+
+    fn over<T: NodeSurface<Domain = D>>(terrain: &T, domain: Arc<D>, sea_level: Option<f64>, rainfall: f64) -> Self {
         let mut flow = Flow::new();
         let mut area = node_areas(&*domain);
         let mut discharge: Vec<f64> = match terrain.fields().get(&names::RAINFALL, "rivers") {

@@ -1,8 +1,8 @@
 //! Keys: everything that a terrain follows from.
 
-use std::fs;
 use std::path::Path;
 
+use landform_io::files::read_whole;
 use serde_json::Value as Json;
 use sha2::{Digest, Sha256};
 
@@ -27,7 +27,7 @@ pub(in crate::recipe) fn key(before: &[&str], entry: &Entry, folder: &Path, salt
     for part in entry.work.parts() {
         for path in input_paths(part.stage().inputs, part.parameters()) {
             // A file that is missing is found out when the stage runs.
-            let content = fs::read(folder.join(&path)).unwrap_or_default();
+            let content = read_whole(&folder.join(&path)).unwrap_or_default();
             hash.update(Sha256::digest(content));
         }
     }
