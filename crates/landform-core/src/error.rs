@@ -200,6 +200,9 @@ impl Error {
                 (std::io::ErrorKind::NotFound, "read") => {
                     Some("is the path right? in a recipe it is relative to the recipe's folder".into())
                 }
+                (std::io::ErrorKind::AlreadyExists | std::io::ErrorKind::NotADirectory, "create folder") => {
+                    Some("a file has that name; results go into a folder: choose another one".into())
+                }
                 (std::io::ErrorKind::StorageFull, _) => Some("the disk is full; nothing half-written was left".into()),
                 (std::io::ErrorKind::PermissionDenied, _) => Some("choose another folder with -o".into()),
                 _ => None,

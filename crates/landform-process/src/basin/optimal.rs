@@ -254,14 +254,15 @@ impl Tree {
         longest
     }
 
-    /// Part of all single changes that would lower the energy.
+    /// Part of all single changes that would lower the energy; `among` says which changes count: (length now, length then).
     #[cfg(test)]
-    pub(super) fn gains(&mut self, domain: &RasterDomain) -> f64 {
+    pub(super) fn gains(&mut self, domain: &RasterDomain, among: impl Fn(f64, f64) -> bool) -> f64 {
         let unit = domain.area(0).sqrt();
         let (mut all, mut lower) = (0u64, 0u64);
         for node in (0..self.area.len()).filter(|&i| domain.status()[i] == Status::Interior) {
             for link in domain.neighbours(node).collect::<Vec<_>>() {
                 if link.to != self.receiver[node] as usize
+                    && among(self.length[node], link.distance / unit)
                     && let Some((change, _)) = self.change(node, link, unit)
                 {
                     all += 1;

@@ -153,17 +153,18 @@ fn heights_drain_as_the_network_does() {
     let tree = searched(1, 200, 0.0);
     let domain = slope(64, 1).domain();
     let mut tree = tree;
-    let gains = tree.gains(&domain);
+    let gains = tree.gains(&domain, |_, _| true);
     assert!(gains < 0.01, "{gains}");
 }
 
 #[test]
 fn rivers_at_a_steady_state_of_stream_power_are_nearly_optimal() {
-    // OCN3 with m/n = 0.5, where the steady landscape is a minimum of energy for small changes. Single links carry finite areas,
-    // and cost is concave in them, so some changes gain (7.6 % here, of the 1 % that were hoped for); of a network of chance many
-    // more do.
+    // OCN3 with m/n = 0.5, where the steady landscape is a minimum of energy for changes between links of one length. (Steepest
+    // descent weighs a diagonal by its slope, the energy by its length, so that many a change from a diagonal to an axis gains.)
+    // Links carry finite areas, and cost is concave in them: a few changes gain; of a network of chance many more do.
+    let alike = |now: f64, then: f64| (now - then).abs() < 1e-9;
     let mut t = noise(64, 4);
-    let chance = Tree::of(&t.domain(), t.elevation(), 0.5).gains(&t.domain());
+    let chance = Tree::of(&t.domain(), t.elevation(), 0.5).gains(&t.domain(), alike);
     let mut status = vec![Status::Interior; t.grid().len()];
     (0..64).for_each(|c| status[63 * 64 + c] = Status::BaseLevel);
     t.set_status(Some(status));
@@ -179,6 +180,6 @@ fn rivers_at_a_steady_state_of_stream_power_are_nearly_optimal() {
     sim.run().unwrap();
     let t = sim.into_terrain();
     let mut tree = Tree::of(&t.domain(), t.elevation(), 0.5);
-    let gains = tree.gains(&t.domain());
-    assert!(gains < 0.1 && gains < 0.5 * chance, "{gains} {chance}");
+    let gains = tree.gains(&t.domain(), alike);
+    assert!(gains < 0.025 && gains < 0.25 * chance, "{gains} {chance}");
 }

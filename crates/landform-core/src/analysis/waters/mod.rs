@@ -40,7 +40,7 @@ pub struct Drainage<D> {
 impl<D: Domain> Drainage<D> {
     /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given; `rainfall` (m/s) holds where
     /// the terrain has no field of it. Where a process left the discharge of every node, each node drains to the lower neighbour
-    /// through which most water runs. Area and discharge are summed over the same tree, so that a river has all water of its
+    /// through which most water runs. Lakes are crossed on their surface, along the middle. Area and discharge are summed over the same tree, so that a river has all water of its
     /// width; its springs are in the field of what was supplied. **Cost** O(n).
     pub fn of<T: NodeSurface<Domain = D>>(terrain: &T, sea_level: Option<f64>, rainfall: f64) -> Self {
         let mut domain = terrain.domain();
@@ -69,13 +69,20 @@ impl<D: Domain> Drainage<D> {
             Some(rain) => parallel::map(area.len(), |i| if area[i] > 0.0 { area[i] * rain[i] } else { 0.0 }),
             None => parallel::map(area.len(), |i| area[i] * rainfall),
         };
-        match field(&names::DISCHARGE) {
-            Some(known) => flow.route_by(&*domain, terrain.elevation(), &mut area, |i| {
-                let z = terrain.elevation();
-                let lower = domain.neighbours(i).filter(|l| z[l.to] < z[i]);
-                lower.reduce(|a, b| if known[b.to] > known[a.to] { b } else { a }).map(|l| (l.to, l.slot))
-            }),
-            None => flow.route(&*domain, terrain.elevation(), &mut area),
+        let z = terrain.elevation();
+        flow.route(&*domain, z, &mut area);
+        let mut level = flow.water_level(z);
+        let known = field(&names::DISCHARGE);
+        if known.is_some() || parallel::find_first(z.len(), |i| level[i] > z[i]).is_some() {
+            // Rivers cross lakes on their surface, not along the floor.
+            area = node_areas(&*domain);
+            match known {
+                Some(known) => flow.route_by(&*domain, &level, &mut area, |i| {
+                    let lower = domain.neighbours(i).filter(|l| level[l.to] < level[i]);
+                    lower.reduce(|a, b| if known[b.to] > known[a.to] { b } else { a }).map(|l| (l.to, l.slot))
+                }),
+                None => flow.route(&*domain, &level, &mut area),
+            }
         }
         for &i in flow.order() {
             let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
@@ -83,7 +90,6 @@ impl<D: Domain> Drainage<D> {
                 discharge[r] += discharge[i];
             }
         }
-        let mut level = flow.water_level(terrain.elevation());
         let sea_level = sea_level.or_else(|| terrain_sea_level(domain.status(), terrain.elevation()));
         if let Some(sea) = sea_level {
             fill_inland_water(terrain, &*domain, sea, &mut level);

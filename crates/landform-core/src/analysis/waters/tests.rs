@@ -36,6 +36,31 @@ fn rivers_only_run_downhill_and_end_at_the_sea() {
 }
 
 #[test]
+fn a_river_crosses_a_lake_and_does_not_follow_its_floor() {
+    let shape = Shape::new(41, 81);
+    let z = (0..shape.len()).map(|i| {
+        let (r, c) = (shape.cell(i).row as f64 - 20.0, shape.cell(i).col as f64);
+        let thread = 9.0 * math::sin(c / 3.0);
+        match c {
+            _ if c < 10.0 => 90.0 + (10.0 - c) + 3.0 * r.abs(),
+            _ if c > 70.0 => 80.0 - (c - 70.0) + 3.0 * r.abs(),
+            _ if r.abs() > 12.0 => 100.0,
+            _ if (r - thread).abs() < 1.5 => 40.0,
+            _ => 50.0 + Seed(3).uniform(i as u64),
+        }
+    });
+    let field = HeightField::new(Grid::new(shape, [1.0, 1.0]).unwrap(), z.collect()).unwrap();
+    let drainage = Drainage::of(&field, None, 0.0);
+    let (mut node, mut length) = (shape.index(20, 5), 0.0);
+    while drainage.flow.receivers()[node] as usize != node {
+        length += drainage.domain.distance(node, drainage.flow.slots()[node]);
+        node = drainage.flow.receivers()[node] as usize;
+    }
+    assert_eq!(shape.cell(node).col, 80);
+    assert!(length < 1.2 * 75.0, "{length}");
+}
+
+#[test]
 fn lakes_are_flat_and_their_volumes_sum() {
     let field = field();
     let drainage = Drainage::of(&field, None, 0.0);
