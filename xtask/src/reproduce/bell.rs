@@ -122,17 +122,17 @@ fn power(points: impl Iterator<Item = (f64, f64)> + Clone) -> f64 {
 
 fn figures(root: &Path, folder: &Path) -> Result<String> {
     let names = [
-        ("constant", "5.7"),
-        ("gradient", "5.8"),
-        ("stepped", "5.9"),
-        ("diamond", "5.10"),
-        ("radial", "5.11"),
-        ("streams", "5.12"),
-        ("ridges", "5.13"),
-        ("strokes", "5.14"),
-        ("mask", "5.15"),
-        ("outlets", "5.16"),
-        ("rain", "5.17"),
+        ("constant_uplift", "5.7"),
+        ("gradient_uplift", "5.8"),
+        ("stepped_uplift", "5.9"),
+        ("diamond_uplift", "5.10"),
+        ("radial_uplift", "5.11"),
+        ("painted_streams", "5.12"),
+        ("painted_ridges", "5.13"),
+        ("painted_streams_and_ridges", "5.14"),
+        ("island", "5.15"),
+        ("chosen_outlets", "5.16"),
+        ("rainfall_gradient", "5.17"),
     ];
     let mut rows = Vec::new();
     let mut text = String::from(
@@ -235,7 +235,7 @@ fn erodibilities(root: &Path, _: &Path) -> Result<String> {
 
 fn angles(root: &Path, folder: &Path) -> Result<String> {
     let angles = [25, 30, 35, 40, 45];
-    let rows = sweep(root, "talus", 1, &[("stream_power.talus_angle", texts(angles.iter(), " deg"))], &[])?;
+    let rows = sweep(root, "talus_angle", 1, &[("stream_power.talus_angle", texts(angles.iter(), " deg"))], &[])?;
     sheet(&rows, ViewKind::Perspective, 420, &folder.join("talus_angle.png"))?;
     let mut text = String::from(
         "## Figure 5.23: talus angle\n\n![](talus_angle.png)\n\n| angle | highest point, m |\n|---|---|\n",
@@ -248,7 +248,7 @@ fn angles(root: &Path, folder: &Path) -> Result<String> {
 
 fn sizes(root: &Path, folder: &Path) -> Result<String> {
     let values = TABLE_SIZE.iter().map(|s| format!("[\"{0} m\", \"{0} m\"]", s.0)).collect();
-    let rows = sweep(root, "size", 1, &[("stream_graph.size", values)], &[])?;
+    let rows = sweep(root, "terrain_size", 1, &[("stream_graph.size", values)], &[])?;
     sheet(&rows, ViewKind::Map, 300, &folder.join("terrain_size.png"))?;
     let mut text = String::from(
         "## Figure 5.24, figures A.1 to A.5: terrain size\n\n![](terrain_size.png)\n\n| side, m | thesis, m | ours, m |\n|---|---|---|\n",
@@ -317,7 +317,7 @@ fn speed(root: &Path, _: &Path) -> Result<String> {
          at a time.\n\n| nodes | thesis, s | ours, steady to the bit, s | thesis / ours | steps on the finest level |\n|---|---|---|---|---|\n",
     );
     for (nodes, seed) in TABLE_TIME {
-        let row = sweep(root, "many", 1, &[], &[format!("stream_graph.nodes={nodes}")])?.remove(0);
+        let row = sweep(root, "many_nodes", 1, &[], &[format!("stream_graph.nodes={nodes}")])?.remove(0);
         let steps = row.outcome.map_or(0, |o| o.steps);
         let _ = writeln!(text, "| {nodes} | {seed:.2} | {:.3} | {:.0} | {steps} |", row.seconds, seed / row.seconds);
     }

@@ -49,21 +49,21 @@ struct Figure {
 const FIGURES: &[Figure] = &[
     Figure {
         title: "Figure 2.2: coasts of fractal land",
-        recipe: "coasts",
+        recipe: "fractal_coasts",
         labels: &["rough", "brownian", "middling", "smooth"],
         map: true,
         what: "H = 0.3, 0.5, 0.7, 0.9. The shore's dimension is 2 − H; counting boxes on a raster reads 1.56, 1.40, 1.24, 1.12 for it.",
     },
     Figure {
         title: "Figure 2.3: spectral synthesis",
-        recipe: "spectral",
+        recipe: "spectral_synthesis",
         labels: &["land"],
         map: false,
         what: "H = 0.8: β should be 3.6.",
     },
     Figure {
         title: "Figure 2.5: one point raised, refined without offsets",
-        recipe: "subdivision",
+        recipe: "bare_subdivision",
         labels: &["diamond_square", "four_eight_held", "four_eight"],
         map: true,
         what: "Bumps in rows and a needle; the needle alone; a dome.",
@@ -84,7 +84,7 @@ const FIGURES: &[Figure] = &[
     },
     Figure {
         title: "Figure 2.7: one, two, four, eight octaves",
-        recipe: "octaves",
+        recipe: "octaves_of_noise",
         labels: &["octaves_1", "octaves_2", "octaves_4", "octaves_8"],
         map: false,
         what: "Power reaches the rim of the spectrum with the last only: few octaves leave ground too smooth for its cells. R² falls as detail comes in, which shows what R² is worth.",
@@ -105,14 +105,14 @@ const FIGURES: &[Figure] = &[
     },
     Figure {
         title: "Figures 4.23 and 4.24: noise, multifractal noise, ridges",
-        recipe: "kinds",
+        recipe: "kinds_of_noise",
         labels: &["fbm", "billow", "ridged", "ridged_multifractal", "hybrid_multifractal", "multifractal"],
         map: false,
         what: "As in the thesis: alike in their spectra, less so in their hypsometry.",
     },
     Figure {
         title: "Figure 4.23: glaciation and canyonism",
-        recipe: "scaling",
+        recipe: "glaciers_and_canyons",
         labels: &["plain", "glaciated", "canyons"],
         map: false,
         what: "Low ground filled, high ground cut level. The spectra hardly change; the curves become a monadnock's and one that is convex throughout, as the thesis finds for Terragen's two options.",

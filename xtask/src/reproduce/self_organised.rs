@@ -77,7 +77,7 @@ included, on one thread of the machine that wrote the page, one run; the thesis'
         Figure { title: "The local perimeter of all shores", recipe: "coasts_local", pictures: &["all_150", "all_200", "all_250"], measures: &["all_150", "all_200", "all_250"], what: "R_p = 150, 200, 250 m, g = 0.15. Small islands stay near the shore." },
         Figure { title: "Figure 4.6 and table 4.5: more avalanching", recipe: "coasts_weakened", pictures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], measures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], what: "a = 0, 0.05, 0.10, 0.175 with R_a = 25 m, k = 1. In the mean of eight seeds coasts get shorter with a (Spearman -1 over the six amounts, by 2 %); one seed does not show it, and the thesis' figure shows much more." },
         Figure { title: "Figure 4.7: mixed", recipe: "mixed_coast", pictures: &["mixed"], measures: &["mixed"], what: "Force and damping differ by side." },
-        Figure { title: "Figure 4.8: the interior of an island", recipe: "interior", pictures: &["nearest", "hermite"], measures: &[], what: "Level sets by nearest and by Hermite's interpolation." },
+        Figure { title: "Figure 4.8: the interior of an island", recipe: "island_interior", pictures: &["nearest", "hermite"], measures: &[], what: "Level sets by nearest and by Hermite's interpolation." },
         Figure { title: "Figures B.4 and B.6, table B.1: sectors", recipe: "sector_coasts", pictures: &["from_square", "from_disc"], measures: &["from_square", "from_disc"], what: "512 x 512 sites, 4 x 4 sectors." },
         Figure { title: "Dunes on an island with an irregular coast", recipe: "dunes_and_coast", pictures: &["dunes"], measures: &[], what: "Two processes after one another." },
     ],
@@ -95,7 +95,7 @@ wins it back within 10 m, slabs are a tenth of a cell, sand slips at 33 degrees.
 ",
     figures: &[
         Figure { title: "Figures 14b, 15 and 16: wind, dunes from above, dunes from aside", recipe: "koh_dunes", pictures: &["wind", "koh", "koh_low"], measures: &["dunes"], what: "300 rounds; the view is three times as high as wide." },
-        Figure { title: "Figure 14a: sand and obstacles", recipe: "rocks", pictures: &["rocks"], measures: &[], what: "By Werner's rules: rocks are hard ground." },
+        Figure { title: "Figure 14a: sand and obstacles", recipe: "dunes_and_rocks", pictures: &["rocks"], measures: &[], what: "By Werner's rules: rocks are hard ground." },
     ],
     tail: nothing,
 };
