@@ -73,14 +73,14 @@ const FIGURES: &[Figure] = &[
         recipe: "diamond_square",
         labels: &["land"],
         map: false,
-        what: "Above: creases along the lattice.",
+        what: "A needle of a summit where one point was raised.",
     },
     Figure {
         title: "Figure 2.6: the same by 4-8 subdivision",
         recipe: "four_eight",
         labels: &["land"],
         map: false,
-        what: "Smoother in the large; below, no creases.",
+        what: "The raised point is smoothed away: a broad height.",
     },
     Figure {
         title: "Figure 2.7: one, two, four, eight octaves",
@@ -108,7 +108,7 @@ const FIGURES: &[Figure] = &[
         recipe: "kinds_of_noise",
         labels: &["fbm", "billow", "ridged", "ridged_multifractal", "hybrid_multifractal", "multifractal"],
         map: false,
-        what: "As in the thesis: alike in their spectra, less so in their hypsometry.",
+        what: "As in the thesis: alike in their spectra, less so in their hypsometry. The hybrid alone lacks short waves here.",
     },
     Figure {
         title: "Figure 4.23: glaciation and canyonism",
