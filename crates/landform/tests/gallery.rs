@@ -328,9 +328,14 @@ fn every_recipe_of_the_gallery_runs_to_the_same_land() {
 
 #[test]
 fn every_recipe_opens_with_what_to_look_at() {
+    let page = std::fs::read_to_string(root().join("README.md")).unwrap();
     for recipe in GALLERY {
         let opening: Vec<&str> = recipe.text.lines().take_while(|l| l.starts_with('#')).collect();
         assert!(opening.len() >= 3 && opening[1].starts_with("# Look at:"), "{}", recipe.file);
+        assert!(!opening[0].starts_with("# After"), "{} opens with a figure's number", recipe.file);
+        assert_eq!(&recipe.file[3..recipe.file.len() - 5], recipe.name, "a recipe is called as its file");
+        let row = format!("[`{}`]({}) | {} |", recipe.name, recipe.file, opening[0].trim_start_matches("# "));
+        assert!(page.contains(&row), "gallery/README.md has not the row {row}");
         assert!(std::fs::read_to_string(root().join(recipe.file)).unwrap() == recipe.text);
     }
     let files = std::fs::read_dir(root())
