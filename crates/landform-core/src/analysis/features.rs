@@ -155,6 +155,7 @@ fn river(r: &RiverReach, round: Rounding) -> Feature {
         ("width_m", short(r.width)),
         ("width_above_m", short(r.width_above)),
         ("depth_m", short(r.depth)),
+        ("in_lake", Property::Flag(r.in_lake)),
         ("length_m", short(r.length)),
         ("elevation_above_m", Property::Number(above)),
         ("elevation_below_m", Property::Number(below)),

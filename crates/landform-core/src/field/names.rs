@@ -81,6 +81,8 @@ pub const LEVEL_SET: Key<u32> =
 pub const WATER_DEPTH: Key<f64> = Key::new("water_depth", "m", "depth of water over the ground, standing and running");
 /// Discharge.
 pub const DISCHARGE: Key<f64> = Key::new("discharge", "m3/s", "water that runs through a place");
+/// Water that comes to a place.
+pub const WATER_SUPPLY: Key<f64> = Key::new("water_supply", "m/s", "rain, springs and inflow that come to the place");
 /// Units of water that left a cell.
 pub const STREAM_VISITS: Key<f64> = Key::new("stream_visits", "1", "units of water that have left the place");
 /// Name, unit and meaning of every standard field.
@@ -110,6 +112,7 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (LEVEL_SET.name, LEVEL_SET.unit, LEVEL_SET.meaning),
     (WATER_DEPTH.name, WATER_DEPTH.unit, WATER_DEPTH.meaning),
     (DISCHARGE.name, DISCHARGE.unit, DISCHARGE.meaning),
+    (WATER_SUPPLY.name, WATER_SUPPLY.unit, WATER_SUPPLY.meaning),
     (STREAM_VISITS.name, STREAM_VISITS.unit, STREAM_VISITS.meaning),
 ];
 

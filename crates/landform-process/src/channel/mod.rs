@@ -89,7 +89,7 @@ struct Scratch {
 }
 
 impl Process<HeightField> for ChannelErosion {
-    const WRITES: &'static [&'static str] = &["elevation", "discharge", "water_depth"];
+    const WRITES: &'static [&'static str] = &["elevation", "discharge", "water_depth", "water_supply"];
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
@@ -256,7 +256,7 @@ impl ChannelErosion {
         Ok(rate)
     }
 
-    /// Adds depth and discharge of the water as fields.
+    /// Adds depth, discharge and supply of the water as fields.
     fn write_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) -> Result<()> {
         let State { water, rate, scratch, .. } = state;
         let z = terrain.elevation();
@@ -277,6 +277,7 @@ impl ChannelErosion {
         let discharge = parallel::map(z.len(), |i| water.flow[i] * whole);
         let fields = terrain.fields_mut();
         fields.insert(&names::WATER_DEPTH, depth)?;
+        fields.insert(&names::WATER_SUPPLY, rate.clone())?;
         fields.insert(&names::DISCHARGE, discharge)
     }
 }

@@ -81,6 +81,29 @@ fn fewer_and_wider_channels_reach_the_foot() {
 }
 
 #[test]
+fn river_objects_carry_what_their_basins_supply() {
+    use landform_core::analysis::{Drainage, Width, rivers};
+    let per_year = 1.0 / YEAR;
+    for transport in [Transport::Columns, Transport::WeightedAverage, Transport::Pipes] {
+        let rain = landform_core::units::Rate::of(1000.0).into();
+        let params = ChannelErosion { transport, rainfall: rain, ..ChannelErosion::default() };
+        let t = run(ramp(96), params, 20);
+        let reaches = rivers(&t, &Drainage::of(&t, None, 0.0), 3_000.0, Width::default());
+        assert!(reaches.len() > 20, "{transport:?}: {}", reaches.len());
+        let fair =
+            |r: &&landform_core::analysis::RiverReach| (0.8..1.25).contains(&(r.discharge / (r.area * per_year)));
+        let share = reaches.iter().filter(fair).count() as f64 / reaches.len() as f64;
+        assert!(share >= 0.95, "{transport:?}: {share}");
+        // A line stays in the thread of the water; pipes and averages spread it over the width of the channel.
+        let q = t.fields().get(&names::DISCHARGE, "").unwrap();
+        let main = reaches.iter().max_by(|a, b| a.area.total_cmp(&b.area)).unwrap();
+        let greatest = |&i: &u32| q[i as usize];
+        let carried = main.nodes.iter().map(greatest).fold(0.0, f64::max);
+        assert!(carried > 0.1 * main.discharge, "{transport:?}: {carried} of {}", main.discharge);
+    }
+}
+
+#[test]
 fn rivers_widen_with_the_root_of_their_water() {
     // WC8: wet width against discharge along rivers of a valley that gathers tributaries.
     let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };

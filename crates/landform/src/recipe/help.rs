@@ -1,11 +1,8 @@
-//! Help on stages, for people and for editors: catalogue, schema, citations.
+//! Help on stages, for people: catalogue, parameters, citations.
 
-use serde_json::{Value as Json, json};
+use serde_json::Value as Json;
 
-use landform_core::stage::{Stage, Verb};
-use landform_core::terrain::MaterialParams;
-use landform_core::verb::Environment;
-use schemars::JsonSchema;
+use landform_core::stage::Stage;
 
 use super::entry::EVOLVE;
 use super::stages::{stage, stages};
@@ -132,95 +129,4 @@ pub fn cite(recipe: &Recipe) -> Vec<Citation> {
         }
     }
     citations
-}
-
-/// The JSON schema of recipes, for editors.
-pub fn schema() -> Json {
-    let mut definitions = serde_json::Map::new();
-    let mut stage_refs = vec![json!({ "$ref": "#/$defs/evolve" })];
-    let mut process_refs = Vec::new();
-    for (stage, _) in catalogue() {
-        let process = stage.verb == Verb::Process;
-        if process {
-            definitions.insert(format!("process_{}", stage.name), lift(stage, false, &mut serde_json::Map::new()));
-            process_refs.push(json!({ "$ref": format!("#/$defs/process_{}", stage.name) }));
-        }
-        let mut inner = serde_json::Map::new();
-        let schema = lift(stage, true, &mut inner);
-        definitions.insert(stage.name.into(), schema);
-        definitions.extend(inner);
-        stage_refs.push(json!({ "$ref": format!("#/$defs/{}", stage.name) }));
-    }
-    let tables = [
-        ("clock", schema_of::<Clock>()),
-        ("watch", schema_of::<Watch>()),
-        ("environment", schema_of::<Environment>()),
-        ("material", schema_of::<MaterialParams>()),
-    ];
-    for (name, mut schema) in tables {
-        if let Some(Json::Object(inner)) = schema.get_mut("$defs").map(Json::take) {
-            definitions.extend(inner);
-        }
-        strip(&mut schema);
-        definitions.insert(name.into(), schema);
-    }
-    definitions.insert(
-        EVOLVE.into(),
-        json!({ "type": "object", "additionalProperties": false, "required": ["use", "clock", "process"],
-            "description": describe(EVOLVE),
-            "properties": { "use": { "const": EVOLVE }, "label": { "type": "string" }, "from": { "type": "string" },
-                "clock": { "$ref": "#/$defs/clock" }, "watch": { "$ref": "#/$defs/watch" }, "process": { "type": "array", "minItems": 1, "items": { "oneOf": process_refs } } } }),
-    );
-    json!({
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "landform recipe",
-        "type": "object",
-        "additionalProperties": false,
-        "required": ["stage"],
-        "properties": {
-            "seed": { "type": "integer", "minimum": 0, "default": 0, "description": "Seed of everything that is random." },
-            "title": { "type": "string", "description": "Title, for pictures and reports." },
-            "environment": { "$ref": "#/$defs/environment" },
-            "materials": { "type": "object", "additionalProperties": { "$ref": "#/$defs/material" },
-                "description": "Changes to the table of materials, and new ones." },
-            "stage": { "type": "array", "minItems": 1, "items": { "oneOf": stage_refs } },
-        },
-        "$defs": definitions,
-    })
-}
-
-/// The JSON schema of a type.
-fn schema_of<P: JsonSchema>() -> Json {
-    schemars::schema_for!(P).to_value()
-}
-
-/// A stage's schema with the keys that every stage takes.
-fn lift(stage: &'static Stage, own_stage: bool, inner: &mut serde_json::Map<String, Json>) -> Json {
-    let mut schema = (stage.form.schema)();
-    if let Some(Json::Object(definitions)) = schema.get_mut("$defs").map(Json::take) {
-        inner.extend(definitions);
-    }
-    strip(&mut schema);
-    schema["properties"]["use"] = json!({ "const": stage.name });
-    schema["x-reach"] = (stage.form.reach)().to_string().into();
-    if own_stage {
-        schema["properties"]["label"] = json!({ "type": "string" });
-        schema["properties"]["from"] = json!({ "type": "string" });
-        schema["properties"]["with"] = json!({ "type": "array", "items": { "type": "string" } });
-        if stage.verb == Verb::Process {
-            schema["properties"]["clock"] = json!({ "$ref": "#/$defs/clock" });
-            schema["properties"]["watch"] = json!({ "$ref": "#/$defs/watch" });
-        }
-    }
-    let has_clock = stage.read(&(stage.form.defaults)()).is_ok_and(|read| read.own_clock().is_some());
-    schema["required"] =
-        if own_stage && stage.verb == Verb::Process && !has_clock { json!(["use", "clock"]) } else { json!(["use"]) };
-    schema
-}
-
-fn strip(schema: &mut Json) {
-    if let Json::Object(map) = schema {
-        map.remove("$schema");
-        map.remove("$defs");
-    }
 }

@@ -122,14 +122,38 @@ impl Flow {
         self.strips = order::order_and_accumulate(&self.receiver, cuts, &mut self.marks, &mut self.order, amount);
     }
 
-    /// Receivers with lakes carved through; no order.
-    fn descend<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
-        let n = domain.len();
+    /// As [`Flow::route`], but each node drains to the neighbour and by the slot that `find` gives, which must be lower; none for
+    /// a pit.
+    pub fn route_by<D: Domain>(
+        &mut self,
+        domain: &D,
+        elevation: &[f64],
+        amount: &mut [f64],
+        find: impl Fn(usize) -> Option<(usize, u8)> + Sync,
+    ) {
+        self.resize(domain.len());
+        write_receivers(domain, &mut self.receiver, &mut self.slot, find);
+        self.leave_flats_and_pits(domain, elevation);
+        let cuts = strips::cut(domain.len(), self.wanted);
+        self.strips = order::order_and_accumulate(&self.receiver, cuts, &mut self.marks, &mut self.order, amount);
+    }
+
+    fn resize(&mut self, n: usize) {
         if self.receiver.len() != n {
             // Zeroed pages cost nothing until they are written.
             (self.receiver, self.slot, self.order, self.marks) = (vec![0; n], vec![0; n], vec![0; n], vec![0; n]);
         }
+    }
+
+    /// Receivers with lakes carved through; no order.
+    fn descend<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
+        self.resize(domain.len());
         self.steepest(domain, elevation);
+        self.leave_flats_and_pits(domain, elevation);
+    }
+
+    /// Leads water over level ground and out of pits; all other nodes have their receivers.
+    fn leave_flats_and_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
         let mut pits = pits::without_receiver(domain, &self.slot);
         let mut flats = std::mem::take(&mut self.flats);
         if flats.tilt(domain, elevation, &pits, &self.slot) {

@@ -27,7 +27,7 @@ pub struct Drainage<D> {
     pub flow: Flow,
     /// Drainage area, m²; 0 where there is no data.
     pub area: Vec<f64>,
-    /// Discharge, m³/s.
+    /// Discharge, m³/s: what was supplied upstream; evaporation and sinkholes are not taken off.
     pub discharge: Vec<f64>,
     /// Surface of the water, m.
     pub level: Vec<f64>,
@@ -39,7 +39,9 @@ pub struct Drainage<D> {
 
 impl<D: Domain> Drainage<D> {
     /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given; `rainfall` (m/s) holds where
-    /// the terrain has no field of it. Discharge and depth of water that a process left are taken as they are. **Cost** O(n).
+    /// the terrain has no field of it. Where a process left the discharge of every node, each node drains to the lower neighbour
+    /// through which most water runs. Area and discharge are summed over the same tree, so that a river has all water of its
+    /// width; its springs are in the field of what was supplied. **Cost** O(n).
     pub fn of<T: NodeSurface<Domain = D>>(terrain: &T, sea_level: Option<f64>, rainfall: f64) -> Self {
         let mut domain = terrain.domain();
         if let Some(level) = sea_level {
@@ -62,20 +64,23 @@ impl<D: Domain> Drainage<D> {
     fn over<T: NodeSurface<Domain = D>>(terrain: &T, domain: Arc<D>, sea_level: Option<f64>, rainfall: f64) -> Self {
         let mut flow = Flow::new();
         let mut area = node_areas(&*domain);
-        let mut discharge: Vec<f64> = match terrain.fields().get(&names::RAINFALL, "rivers") {
-            Ok(rain) => parallel::map(area.len(), |i| if area[i] > 0.0 { area[i] * rain[i] } else { 0.0 }),
-            Err(_) => parallel::map(area.len(), |i| area[i] * rainfall),
+        let field = |key| terrain.fields().get(key, "rivers").ok();
+        let mut discharge: Vec<f64> = match field(&names::WATER_SUPPLY).or_else(|| field(&names::RAINFALL)) {
+            Some(rain) => parallel::map(area.len(), |i| if area[i] > 0.0 { area[i] * rain[i] } else { 0.0 }),
+            None => parallel::map(area.len(), |i| area[i] * rainfall),
         };
-        flow.route(&*domain, terrain.elevation(), &mut area);
-        match terrain.fields().get(&names::DISCHARGE, "rivers") {
-            Ok(known) => discharge.copy_from_slice(known),
-            Err(_) => {
-                for &i in flow.order() {
-                    let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
-                    if r != i {
-                        discharge[r] += discharge[i];
-                    }
-                }
+        match field(&names::DISCHARGE) {
+            Some(known) => flow.route_by(&*domain, terrain.elevation(), &mut area, |i| {
+                let z = terrain.elevation();
+                let lower = domain.neighbours(i).filter(|l| z[l.to] < z[i]);
+                lower.reduce(|a, b| if known[b.to] > known[a.to] { b } else { a }).map(|l| (l.to, l.slot))
+            }),
+            None => flow.route(&*domain, terrain.elevation(), &mut area),
+        }
+        for &i in flow.order() {
+            let (i, r) = (i as usize, flow.receivers()[i as usize] as usize);
+            if r != i {
+                discharge[r] += discharge[i];
             }
         }
         let mut level = flow.water_level(terrain.elevation());

@@ -1,12 +1,12 @@
 //! Rivers as lines.
 //!
 //! # Sources
-//! Moody & Troutman (2002) for the width and depth of rivers, w = 7.2 Q^0.50, d = 0.27 Q^0.39 (m, m³/s), where the water itself
-//! is not there to be measured.
+//! Moody & Troutman (2002) for the width and depth of rivers, w = 7.2 Q^0.50, d = 0.27 Q^0.39 (m, m³/s). Cells are too coarse to
+//! measure the width of most rivers on the water itself.
 
 use super::Drainage;
 use crate::algo::network::reaches;
-use crate::grid::{Domain, Neighbours, Status};
+use crate::grid::{Domain, Status};
 use crate::math;
 use crate::terrain::NodeSurface;
 
@@ -46,6 +46,8 @@ pub struct RiverReach {
     pub width_above: f64,
     /// Depth at the lower end, m.
     pub depth: f64,
+    /// Whether most of it lies in a lake, where width and depth are those of the river beyond.
+    pub in_lake: bool,
     /// Length on the map, m.
     pub length: f64,
     /// Whether it ends at a base level rather than in another reach or in a closed depression.
@@ -65,12 +67,8 @@ pub fn rivers<T: NodeSurface>(
 ) -> Vec<RiverReach> {
     let list = reaches(&drainage.flow, &drainage.area, least);
     let status = drainage.domain.status();
-    let law = |i: usize| width.coefficient * math::pow(drainage.discharge[i], width.exponent);
-    let width_of = |i: usize| wet_width(terrain, drainage, i).unwrap_or_else(|| law(i));
-    let depth_of = |i: usize| match &drainage.known_depth {
-        Some(depth) => depth[i],
-        None => 0.27 * math::pow(drainage.discharge[i], 0.39),
-    };
+    let width_of = |i: usize| width.coefficient * math::pow(drainage.discharge[i], width.exponent);
+    let depth_of = |i: usize| 0.27 * math::pow(drainage.discharge[i], 0.39);
     let name = |k: usize| (list[k].river, list[k].number);
     list.iter()
         .map(|reach| {
@@ -88,6 +86,7 @@ pub fn rivers<T: NodeSurface>(
                 width: width_of(last),
                 width_above: width_of(first),
                 depth: depth_of(last),
+                in_lake: crosses_lake(terrain, drainage, &reach.nodes),
                 length,
                 leaves: reach.to.is_none() && status[end] == Status::BaseLevel,
                 points,
@@ -97,42 +96,14 @@ pub fn rivers<T: NodeSurface>(
         .collect()
 }
 
-/// Beside a river it is dry where the water is less than this part as deep.
-const DRY: f64 = 0.33;
-/// Greatest distance from its thread at which the width of a river is measured, nodes.
-const WIDEST: usize = 64;
+/// Depth of standing water over which a reach crosses a lake, m.
+const LAKE: f64 = 1.0;
 
-/// Width of the water at a node, by the nearest dry one; none where depths are not known.
-fn wet_width<T: NodeSurface>(terrain: &T, drainage: &Drainage<T::Domain>, node: usize) -> Option<f64> {
-    let depth = drainage.known_depth.as_ref()?;
-    let (at, least) = (terrain.position(node), DRY * depth[node]);
-    let away = |j: usize| {
-        let [x, y] = terrain.position(j);
-        ((x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])).sqrt()
-    };
-    let cell = drainage.domain.area(node).sqrt();
-    let (mut seen, mut ring) = (std::collections::HashSet::from([node]), vec![node]);
-    let mut nearest = f64::INFINITY;
-    for _ in 0..WIDEST {
-        let mut next = Vec::new();
-        for &i in &ring {
-            for link in drainage.domain.neighbours(i) {
-                if seen.insert(link.to) {
-                    if depth[link.to] < least {
-                        nearest = nearest.min(away(link.to));
-                    } else {
-                        next.push(link.to);
-                    }
-                }
-            }
-        }
-        // Another ring lies farther out; diagonal steps may still be a little nearer.
-        if next.is_empty() || nearest < ring.iter().map(|&i| away(i)).fold(f64::INFINITY, f64::min) {
-            break;
-        }
-        ring = next;
-    }
-    nearest.is_finite().then(|| (2.0 * nearest - cell).max(cell))
+/// Whether most of a reach lies in a lake.
+fn crosses_lake<T: NodeSurface>(terrain: &T, drainage: &Drainage<T::Domain>, nodes: &[u32]) -> bool {
+    let z = terrain.elevation();
+    let wet = nodes.iter().map(|&i| i as usize).filter(|&i| drainage.level[i] - z[i] > LAKE).count();
+    2 * wet > nodes.len()
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
