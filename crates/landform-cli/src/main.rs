@@ -53,7 +53,7 @@ use clap::{CommandFactory, Parser, Subcommand};
     name = "landform",
     version = concat!(env!("CARGO_PKG_VERSION"), " (", env!("LANDFORM_BUILD"), ")"),
     about,
-    after_help = "Begin with: landform new mountains; landform run mountains.toml -o out"
+    after_help = "Begin with: landform new first_mountains; landform run first_mountains.toml -o out"
 )]
 struct Cli {
     #[command(subcommand)]

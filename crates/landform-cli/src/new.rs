@@ -21,8 +21,13 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let Some(name) = &args.name else {
+        let mut group = "";
         for recipe in GALLERY {
-            say!("{:<12} {}", recipe.name, recipe.text.lines().next().unwrap_or_default().trim_start_matches("# "));
+            if recipe.group != group {
+                say!("{}{}", if group.is_empty() { "" } else { "\n" }, recipe.group);
+                group = recipe.group;
+            }
+            say!("  {:<26} {}", recipe.name, recipe.text.lines().next().unwrap_or_default().trim_start_matches("# "));
         }
         return Ok(ExitCode::SUCCESS);
     };

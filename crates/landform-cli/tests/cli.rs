@@ -105,11 +105,11 @@ fn the_catalogue_the_schema_and_the_sources_are_printed() {
     assert!(text(&wrong.stderr).contains("did you mean `stream_power`?"));
     let schema: serde_json::Value = serde_json::from_slice(&landform(dir.path(), &["schema"]).stdout).unwrap();
     assert_eq!(schema["title"], "landform recipe");
-    assert!(landform(dir.path(), &["new", "mountains"]).status.success());
-    assert!(!landform(dir.path(), &["new", "mountains"]).status.success(), "a file is not written over");
-    let check = text(&landform(dir.path(), &["check", "mountains.toml"]).stdout);
+    assert!(landform(dir.path(), &["new", "first_mountains"]).status.success());
+    assert!(!landform(dir.path(), &["new", "first_mountains"]).status.success(), "a file is not written over");
+    let check = text(&landform(dir.path(), &["check", "first_mountains.toml"]).stdout);
     assert!(check.contains("evolve: uplift + stream_power") && check.contains("memory: about"), "{check}");
-    assert!(text(&landform(dir.path(), &["cite", "mountains.toml"]).stdout).contains("Cordonnier"));
+    assert!(text(&landform(dir.path(), &["cite", "first_mountains.toml"]).stdout).contains("Cordonnier"));
 }
 
 #[test]

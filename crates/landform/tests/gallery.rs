@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// What makes each recipe small.
 const SMALL: &[(&str, &[&str])] = &[
     (
-        "mountains",
+        "first_mountains",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=400 m",
@@ -22,11 +22,11 @@ const SMALL: &[(&str, &[&str])] = &[
             "write_picture.size=160",
         ],
     ),
-    ("range", &["today.cell_size=360 m", "write_picture.size=160"]),
-    ("noise", &["spectral_fbm.cell_size=250 m", "write_picture.size=160"]),
-    ("ridge", &["stream_graph.nodes=1200", "to_height_field.cell_size=500 m", "write_picture.size=160"]),
+    ("continue_a_real_range", &["today.cell_size=360 m", "write_picture.size=160"]),
+    ("noise_and_rivers", &["spectral_fbm.cell_size=250 m", "write_picture.size=160"]),
+    ("painted_uplift", &["stream_graph.nodes=1200", "to_height_field.cell_size=500 m", "write_picture.size=160"]),
     (
-        "island",
+        "painted_island",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -36,7 +36,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "constant",
+        "constant_uplift",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -45,7 +45,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "gradient",
+        "gradient_uplift",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -54,7 +54,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "stepped",
+        "stepped_uplift",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -63,7 +63,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "diamond",
+        "diamond_uplift",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -72,7 +72,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "radial",
+        "radial_uplift",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -81,7 +81,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "streams",
+        "painted_streams",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -90,7 +90,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "ridges",
+        "painted_ridges",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -99,7 +99,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "strokes",
+        "painted_streams_and_ridges",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -108,7 +108,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "mask",
+        "island",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -117,7 +117,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "outlets",
+        "chosen_outlets",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -126,7 +126,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "rain",
+        "rainfall_gradient",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -138,7 +138,7 @@ const SMALL: &[(&str, &[&str])] = &[
     ("uplift_rate", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
     ("erodibility", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
     (
-        "talus",
+        "talus_angle",
         &[
             "stream_graph.nodes=1200",
             "to_height_field.cell_size=500 m",
@@ -146,11 +146,11 @@ const SMALL: &[(&str, &[&str])] = &[
             "evolve.clock.max_steps=60",
         ],
     ),
-    ("size", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
+    ("terrain_size", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
     ("convergence", &["stream_graph.nodes=1200", "evolve.clock.max_steps=20", "evolve.watch.size=64"]),
-    ("many", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
+    ("many_nodes", &["stream_graph.nodes=1200", "write_picture.size=160", "evolve.clock.max_steps=60"]),
     (
-        "coasts",
+        "fractal_coasts",
         &[
             "rough.cell_size=320 m",
             "brownian.cell_size=320 m",
@@ -159,9 +159,9 @@ const SMALL: &[(&str, &[&str])] = &[
             "write_picture.size=160",
         ],
     ),
-    ("spectral", &["land.cell_size=160 m", "write_picture.size=160"]),
+    ("spectral_synthesis", &["land.cell_size=160 m", "write_picture.size=160"]),
     (
-        "subdivision",
+        "bare_subdivision",
         &[
             "diamond_square.cell_size=80 m",
             "four_eight_held.cell_size=80 m",
@@ -172,7 +172,7 @@ const SMALL: &[(&str, &[&str])] = &[
     ("diamond_square", &["land.cell_size=160 m", "write_picture.size=160"]),
     ("four_eight", &["land.cell_size=160 m", "write_picture.size=160"]),
     (
-        "octaves",
+        "octaves_of_noise",
         &[
             "octaves_1.cell_size=160 m",
             "octaves_2.cell_size=160 m",
@@ -184,7 +184,7 @@ const SMALL: &[(&str, &[&str])] = &[
     ("creases", &["land.cell_size=160 m", "write_picture.size=160"]),
     ("faults", &["few.cell_size=160 m", "many.cell_size=160 m", "write_picture.size=160"]),
     (
-        "kinds",
+        "kinds_of_noise",
         &[
             "fbm.cell_size=160 m",
             "billow.cell_size=160 m",
@@ -196,7 +196,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "bases",
+        "bases_of_noise",
         &[
             "perlin.cell_size=160 m",
             "simplex.cell_size=160 m",
@@ -205,9 +205,9 @@ const SMALL: &[(&str, &[&str])] = &[
             "write_picture.size=160",
         ],
     ),
-    ("scaling", &["plain.cell_size=160 m", "write_picture.size=160"]),
-    ("layers", &["shape.cell_size=320 m", "write_picture.size=160"]),
-    ("measured", &["elevation_file.cell_size=360 m", "write_picture.size=160"]),
+    ("glaciers_and_canyons", &["plain.cell_size=160 m", "write_picture.size=160"]),
+    ("layers_and_masks", &["shape.cell_size=320 m", "write_picture.size=160"]),
+    ("a_range_measured", &["elevation_file.cell_size=360 m", "write_picture.size=160"]),
     ("werner_dunes", &["plain.cell_size=30 m", "deep.steps=6", "thin.steps=6", "write_picture.size=160"]),
     ("protection_dunes", &["plain.cell_size=30 m", "deep.steps=4", "thin.steps=4", "write_picture.size=160"]),
     ("barchans", &["flat.cell_size=4 m", "dunes.steps=40", "dunes.watch.size=64", "write_picture.size=160"]),
@@ -215,20 +215,20 @@ const SMALL: &[(&str, &[&str])] = &[
     ("linear_dunes", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
     ("star_dunes", &["flat.cell_size=4 m", "dunes.steps=60", "write_picture.size=160"]),
     ("koh_dunes", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
-    ("rocks", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
+    ("dunes_and_rocks", &["flat.cell_size=4 m", "dunes.steps=40", "write_picture.size=160"]),
     ("snow", &["noise.cell_size=120 m", "write_picture.size=160"]),
     ("coasts_global", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("coasts_local", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("coasts_weakened", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("mixed_coast", &["square.cell_size=60 m", "write_picture.size=160"]),
-    ("interior", &["square.cell_size=60 m", "write_picture.size=160"]),
+    ("island_interior", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("sector_coasts", &["square.cell_size=80 m", "write_picture.size=160"]),
     ("dunes_and_coast", &["flat.cell_size=8 m", "dunes.steps=40", "write_picture.size=160"]),
-    ("two_stage", &["front_terrain.cell_size=40 m", "channel_erosion.iterations=20", "write_picture.size=160"]),
-    ("level_sets", &["front_terrain.cell_size=40 m", "write_picture.size=160"]),
-    ("folds", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
-    ("transports", &["surface.cell_size=40 m", "channel_erosion.iterations=10", "write_picture.size=160"]),
-    ("obstacle", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("two_stage_rivers", &["front_terrain.cell_size=40 m", "channel_erosion.iterations=20", "write_picture.size=160"]),
+    ("between_level_sets", &["front_terrain.cell_size=40 m", "write_picture.size=160"]),
+    ("drained_folds", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("four_transports", &["surface.cell_size=40 m", "channel_erosion.iterations=10", "write_picture.size=160"]),
+    ("around_an_obstacle", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
     ("rain_on_fbm", &["spectral_fbm.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
     (
         "capture",
@@ -239,13 +239,13 @@ const SMALL: &[(&str, &[&str])] = &[
             "write_picture.size=160",
         ],
     ),
-    ("valleys", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("modes_of_valleys", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
     ("sand_hill", &["surface.cell_size=1 m", "channel_erosion.iterations=20", "write_picture.size=160"]),
-    ("threshold", &["spectral_fbm.cell_size=40 m", "write_picture.size=160"]),
-    ("optimal", &["noise.cell_size=200 m", "write_picture.size=160"]),
-    ("koh_streams", &["midpoint_displacement.cell_size=40 m", "surface.cell_size=40 m", "write_picture.size=160"]),
+    ("threshold_basin", &["spectral_fbm.cell_size=40 m", "write_picture.size=160"]),
+    ("optimal_network", &["noise.cell_size=200 m", "write_picture.size=160"]),
+    ("koh_streams", &["midpoint_displacement.cell_size=40 m", "flat.cell_size=40 m", "write_picture.size=160"]),
     (
-        "lake",
+        "a_lake_breaks_through",
         &[
             "surface.cell_size=40 m",
             "channel_erosion.iterations=40",
@@ -254,7 +254,7 @@ const SMALL: &[(&str, &[&str])] = &[
         ],
     ),
     ("confluence", &["surface.cell_size=30 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
-    ("fans", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
+    ("alluvial_fans", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
     ("delta", &["surface.cell_size=40 m", "channel_erosion.iterations=30", "write_picture.size=160"]),
     ("tableland", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
     ("cuestas", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
@@ -328,9 +328,14 @@ fn every_recipe_of_the_gallery_runs_to_the_same_land() {
 
 #[test]
 fn every_recipe_opens_with_what_to_look_at() {
+    let page = std::fs::read_to_string(root().join("README.md")).unwrap();
     for recipe in GALLERY {
         let opening: Vec<&str> = recipe.text.lines().take_while(|l| l.starts_with('#')).collect();
         assert!(opening.len() >= 3 && opening[1].starts_with("# Look at:"), "{}", recipe.file);
+        assert!(!opening[0].starts_with("# After"), "{} opens with a figure's number", recipe.file);
+        assert_eq!(&recipe.file[3..recipe.file.len() - 5], recipe.name, "a recipe is called as its file");
+        let row = format!("[`{}`]({}) | {} |", recipe.name, recipe.file, opening[0].trim_start_matches("# "));
+        assert!(page.contains(&row), "gallery/README.md has not the row {row}");
         assert!(std::fs::read_to_string(root().join(recipe.file)).unwrap() == recipe.text);
     }
     let files = std::fs::read_dir(root())

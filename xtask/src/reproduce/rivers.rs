@@ -23,22 +23,22 @@ time step, initial ground) was chosen by looking, see the docs of `channel_erosi
 
 ",
     figures: &[
-        Figure { title: "Figure 4.12 (a): folds are drained", recipe: "folds", pictures: &["before", "after", "map"], measures: &["before_hypsometry", "after_hypsometry", ""], what: "w = 1, 2, 0.5, 10, 3, 1.5. Lakes fill between the folds, spill over saddles and cut them." },
-        Figure { title: "Figures 4.12 (b), 4.18 and 4.19: four transports", recipe: "transports", pictures: &["columns_runs", "average_runs", "weighted_average_runs", "pipes_runs"], measures: &[], what: "Water of one spring without erosion, logarithm of the discharge. Numbers are in the table below." },
-        Figure { title: "The same with erosion", recipe: "transports", pictures: &["columns_cuts", "average_cuts", "weighted_average_cuts", "pipes_cuts"], measures: &[], what: "w = 2, 1, 1, 10, 3, 0 (figure 4.12 b)." },
-        Figure { title: "Figure 4.12 (c): around an obstacle", recipe: "obstacle", pictures: &["before", "river", "map"], measures: &["before_hypsometry", "after_hypsometry", ""], what: "w = 2.5, 1.5, 0.5, 5, 3, 0.5. Flow parts at the hill and meets behind it; the hypsometric curve stays." },
+        Figure { title: "Figure 4.12 (a): rain on folds", recipe: "drained_folds", pictures: &["before", "after", "map"], measures: &["before_hypsometry", "after_hypsometry", ""], what: "w = 1, 2, 0.5, 10, 3, 1.5. Troughs are worn into wide floors, each with a river that leaves over the nearest side; a lake and pools still stand. The thesis has rivers that cut through the folds, and a curve that is not significantly altered: w_0 acts in every round, and the unit of f is not given there." },
+        Figure { title: "Figures 4.12 (b), 4.18 and 4.19: four transports", recipe: "four_transports", pictures: &["columns_runs", "average_runs", "weighted_average_runs", "pipes_runs"], measures: &[], what: "Water of one spring without erosion, logarithm of the discharge. Numbers are in the table below." },
+        Figure { title: "The same with erosion", recipe: "four_transports", pictures: &["columns_cuts", "average_cuts", "weighted_average_cuts", "pipes_cuts"], measures: &[], what: "w = 2, 1, 1, 10, 3, 0 (figure 4.12 b)." },
+        Figure { title: "Figure 4.12 (c): around an obstacle", recipe: "around_an_obstacle", pictures: &["before", "river", "map"], measures: &["before_hypsometry", "after_hypsometry", ""], what: "w = 2.5, 1.5, 0.5, 5, 3, 0.5. Flow parts at the hill and meets behind it; the hypsometric curve stays." },
         Figure { title: "Figure 4.13: rain on fractional Brownian motion", recipe: "rain_on_fbm", pictures: &["before", "after", "map"], measures: &["before_spectrum+before_hypsometry", "after_spectrum+after_hypsometry", ""], what: "The hypsometric curve stays, as the thesis says, and so do waves longer than some 600 m, within a fifth. Valleys add up to three times the power between 100 and 400 m (the exponent of long waves is fitted down to 227 m), and channels smooth what is shorter." },
         Figure { title: "Figure 4.14: capture", recipe: "capture", pictures: &["river", "discharge"], measures: &[], what: "The recipe also writes the sequence as capture.gif." },
-        Figure { title: "Figure 4.14: a lake breaks through", recipe: "lake", pictures: &["after"], measures: &[], what: "The recipe also writes the sequence as lake.gif." },
-        Figure { title: "Figure 4.15 and table 4.7: two modes", recipe: "valleys", pictures: &["diffusion", "advection", "diffusion_map", "advection_map"], measures: &["diffusion_hypsometry", "advection_hypsometry", "", ""], what: "Smoothing wins (a) or cutting wins (b); smoothing is everywhere (Eq. 4.6). The thesis gives no unit of flow: it is 1/300 of the map's water in (a), 1/50 000 in (b)." },
-        Figure { title: "Figure 4.16: between level sets", recipe: "level_sets", pictures: &["nearest", "hermite", "variational"], measures: &["nearest_surface+nearest_hypsometry+nearest_spectrum", "hermite_surface+hermite_hypsometry+hermite_spectrum", "variational_surface+variational_hypsometry+variational_spectrum"], what: "The thesis' relaxation takes away 43.67 % of the bending energy of its second row; ours goes on to the least that the level sets allow, from the second column to the third." },
-        Figure { title: "Figure 4.17: two stages", recipe: "two_stage", pictures: &["stage_one", "rivers", "map"], measures: &["", "hypsometry+spectrum", ""], what: "Fronts from painted lines; then rivers, and lakes that broke through." },
+        Figure { title: "Figure 4.14: a lake breaks through", recipe: "a_lake_breaks_through", pictures: &["after"], measures: &[], what: "The recipe also writes the sequence as lake.gif." },
+        Figure { title: "Figure 4.15 and table 4.7: two modes", recipe: "modes_of_valleys", pictures: &["diffusion", "advection", "diffusion_map", "advection_map"], measures: &["diffusion_hypsometry", "advection_hypsometry", "", ""], what: "Smoothing wins (a) or cutting wins (b); smoothing is everywhere (Eq. 4.6). The thesis gives no unit of flow: it is 1/300 of the map's water in (a), 1/50 000 in (b)." },
+        Figure { title: "Figure 4.16: between level sets", recipe: "between_level_sets", pictures: &["nearest", "hermite", "variational"], measures: &["nearest_surface+nearest_hypsometry+nearest_spectrum", "hermite_surface+hermite_hypsometry+hermite_spectrum", "variational_surface+variational_hypsometry+variational_spectrum"], what: "The thesis' relaxation takes away 43.67 % of the bending energy of its second row; ours goes on to the least that the level sets allow, from the second column to the third. By eye the first two are alike." },
+        Figure { title: "Figure 4.17: two stages", recipe: "two_stage_rivers", pictures: &["stage_one", "rivers", "map"], measures: &["", "hypsometry+spectrum", ""], what: "Fronts from painted lines; then rivers, and lakes that broke through in the east." },
         Figure { title: "Figure 4.20: rain on a hill of sand", recipe: "sand_hill", pictures: &["hill"], measures: &[], what: "Cells of 25 cm." },
-        Figure { title: "Figure 4.25: ground at the threshold of erosion", recipe: "threshold", pictures: &["ends", "ends_area", "overflows", "overflows_area"], measures: &["ends", "", "overflows", ""], what: "Rodriguez-Iturbe & Rinaldo on fractional Brownian motion: rivers end in depressions, as in the thesis, or depressions overflow." },
-        Figure { title: "Its limit: networks of least energy", recipe: "optimal", pictures: &["network", "area"], measures: &["network", ""], what: "In the nature of rivers β is about 0.43 and h 0.57." },
+        Figure { title: "Figure 4.25: ground at the threshold of erosion", recipe: "threshold_basin", pictures: &["ends", "ends_area", "overflows", "overflows_area"], measures: &["ends", "", "overflows", ""], what: "Rodriguez-Iturbe & Rinaldo on fractional Brownian motion: rivers end in depressions, as in the thesis, or depressions overflow." },
+        Figure { title: "Its limit: networks of least energy", recipe: "optimal_network", pictures: &["network", "area"], measures: &["network", ""], what: "In the nature of rivers β is about 0.43 and h 0.57." },
         Figure { title: "Poster of 2013, and appendix A.2: a confluence", recipe: "confluence", pictures: &["confluence", "map"], measures: &[], what: "Water is a surface over the ground, tinted by its depth; rivers widen as they meet." },
-        Figure { title: "Beyond the thesis: fans", recipe: "fans", pictures: &["fans", "map"], measures: &[], what: "With `graded_slope` what is cut is carried and laid down." },
-        Figure { title: "Beyond the thesis: deltas", recipe: "delta", pictures: &["view", "map"], measures: &[], what: "Standing water takes the load." },
+        Figure { title: "Beyond the thesis: fans", recipe: "alluvial_fans", pictures: &["fans", "laid", "map"], measures: &[], what: "With `graded_slope` what is cut is carried and laid down. The second picture shows how much was laid down (green to white) or worn away (blue): most at the two mouths." },
+        Figure { title: "Beyond the thesis: rivers fill a lake", recipe: "delta", pictures: &["view", "laid", "map"], measures: &[], what: "Standing water takes the load. The second picture shows how much was laid down (green to white) or worn away (blue)." },
     ],
     tail: tables,
 };
@@ -54,7 +54,7 @@ ground along, and is swallowed in pits; a drop that would go back and forth betw
 ",
     figures: &[
         Figure { title: "Figures 1, 2 and 9 to 11: ground, one pass, ten", recipe: "koh_streams", pictures: &["start", "one", "many"], measures: &[], what: "Gullies run together in trees; more passes deepen them." },
-        Figure { title: "Figures 12 and 13: the softness map", recipe: "koh_streams", pictures: &["face", "visits"], measures: &[], what: "A face where the ground is soft; drops that crossed each cell." },
+        Figure { title: "Figures 12 and 13: the softness map", recipe: "koh_streams", pictures: &["face", "visits"], measures: &[], what: "How deep level, rough ground was worn: a face with a smile, where it is soft. Beside it the drops that crossed each cell." },
     ],
     tail: nothing,
 };
@@ -102,7 +102,7 @@ fn transports() -> Result<String> {
     let mut text = String::from(
         "## How transports gather water\n\nRain on a rough slope of 128 x 256 cells, no erosion. Gini's coefficient of the flow along a row: 0 if all nodes have the same, 1 if one has all. \
          Rounds: 1, pipes 40 of 20 steps. \
-         Columns gather most, as in the thesis; there averages come next, here pipes: their thin sheet of a short storm runs in every groove.\n\n| transport | Gini | largest share of a row's flow |\n|---|---|---|\n",
+         Columns gather most, as in the thesis. Pipes come after area maps: their thin sheet of a short storm runs in every groove.\n\n| transport | Gini | largest share of a row's flow |\n|---|---|---|\n",
     );
     let still = "avalanche_weight = 0.0\nflow_weight = 0.0\ndiffusion_weight = 0.0\nadvection_weight = 0.0\nbase_weight = 0.0\n";
     for transport in ["columns", "area_map", "weighted_average", "average", "pipes"] {

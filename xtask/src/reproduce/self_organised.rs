@@ -65,8 +65,8 @@ pub(super) const PYTEL_COASTS: Page = Page {
     file: "coasts.md",
     head: "# Pytel's thesis, section 4.2 and appendix B.1: coasts, reproduced
 
-Written by `cargo xtask reproduce pytel-coasts`. Sites are 15 m wide, so that the thesis' radii are 10 to 17 sites and its R_a is 1.7 sites. Damping is the thesis'; forces are above its 0.44 to 0.50, because it does not say how
-exposed sides weaken a site (here Sapoval's rule: R, R squared, 0), nor what a local perimeter is measured against (here 2 R). *D* is the dimension of all shores by boxes. Seconds are of whole recipes, pictures
+Written by `cargo xtask reproduce pytel-coasts`. Sites are 15 m wide, so that the thesis' radii are 10 to 17 sites and its R_a is 1.7 sites. Damping is the thesis'; forces are above its 0.44 to 0.50, because here
+one exposed side does not weaken a site (Sapoval's rule: R, R squared, 0); the thesis weakens in proportion to the missing neighbours. A local perimeter is measured against 2 R, which the thesis leaves open. *D* is the dimension of all shores by boxes. Seconds are of whole recipes, pictures
 included, on one thread of the machine that wrote the page, one run; the thesis' are 195 to 308 s a coast (contiguous), 1,444 to 3,724 s (all), 78 s (figure 4.7).
 
 ",
@@ -77,7 +77,7 @@ included, on one thread of the machine that wrote the page, one run; the thesis'
         Figure { title: "The local perimeter of all shores", recipe: "coasts_local", pictures: &["all_150", "all_200", "all_250"], measures: &["all_150", "all_200", "all_250"], what: "R_p = 150, 200, 250 m, g = 0.15. Small islands stay near the shore." },
         Figure { title: "Figure 4.6 and table 4.5: more avalanching", recipe: "coasts_weakened", pictures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], measures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], what: "a = 0, 0.05, 0.10, 0.175 with R_a = 25 m, k = 1. In the mean of eight seeds coasts get shorter with a (Spearman -1 over the six amounts, by 2 %); one seed does not show it, and the thesis' figure shows much more." },
         Figure { title: "Figure 4.7: mixed", recipe: "mixed_coast", pictures: &["mixed"], measures: &["mixed"], what: "Force and damping differ by side." },
-        Figure { title: "Figure 4.8: the interior of an island", recipe: "interior", pictures: &["nearest", "hermite"], measures: &[], what: "Level sets by nearest and by Hermite's interpolation." },
+        Figure { title: "Figure 4.8: the interior of an island", recipe: "island_interior", pictures: &["nearest", "hermite"], measures: &[], what: "Level sets by nearest and by Hermite's interpolation. Islets that resist long become needles." },
         Figure { title: "Figures B.4 and B.6, table B.1: sectors", recipe: "sector_coasts", pictures: &["from_square", "from_disc"], measures: &["from_square", "from_disc"], what: "512 x 512 sites, 4 x 4 sectors." },
         Figure { title: "Dunes on an island with an irregular coast", recipe: "dunes_and_coast", pictures: &["dunes"], measures: &[], what: "Two processes after one another." },
     ],
@@ -90,12 +90,12 @@ pub(super) const KOH_DUNES: Page = Page {
     head: "# Koh's thesis, section 5.2: dunes by an automaton, reproduced
 
 Written by `cargo xtask reproduce koh-dunes`. The thesis has pictures and no numbers. What it leaves open was chosen so that 300 rounds from level sand leave its \"parallel striations\": wind loses its strength behind drops and
-wins it back within 10 m, slabs are a tenth of a cell, sand slips at 33 degrees. Spacing settles (26 m after 600 rounds, 28 m after 1,200 in the tests); height goes on growing slowly, where the thesis finds both kept.
+wins it back within 10 m, slabs are a tenth of a cell, sand slips at 33 degrees. Spacing and height go on growing: 20, 23, 29 and 50 m apart after 300, 600, 1,200 and 2,400 rounds, 0.6 to 4.8 m high. The thesis finds both kept.
 
 ",
     figures: &[
-        Figure { title: "Figures 14b, 15 and 16: wind, dunes from above, dunes from aside", recipe: "koh_dunes", pictures: &["wind", "koh", "koh_low"], measures: &["dunes"], what: "300 rounds; the view is three times as high as wide." },
-        Figure { title: "Figure 14a: sand and obstacles", recipe: "rocks", pictures: &["rocks"], measures: &[], what: "By Werner's rules: rocks are hard ground." },
+        Figure { title: "Figures 15 and 16: dunes from above, dunes from aside, and the wind over them", recipe: "koh_dunes", pictures: &["wind", "koh", "koh_low"], measures: &["dunes"], what: "300 rounds; the view is three times as high as wide." },
+        Figure { title: "Figure 14a: sand and obstacles", recipe: "dunes_and_rocks", pictures: &["rocks"], measures: &[], what: "By Werner's rules: rocks are hard ground. Sand gathers in their lee, and thin streaks trail downwind. Figure 14b, wind around walls, is not reproduced." },
     ],
     tail: nothing,
 };
