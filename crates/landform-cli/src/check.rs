@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use landform::core::Result;
 use landform::core::error::bytes_text;
 use landform::io::memory;
-use landform::recipe::{Cache, Override, Plan, Recipe};
+use landform::recipe::{Cache, Override, Plan, PlannedStage, Recipe};
 
 use crate::part::Part;
 use crate::run::salt;
@@ -37,16 +37,26 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let plan = recipe.plan(cache.as_ref(), &salt()).map_err(about(&args.recipe))?;
     say!("{} (seed {})", recipe.title, recipe.seed);
     recipe.notes.iter().chain(&recipe.file_notes()).for_each(|note| say!("note: {note}"));
-    print_plan(&plan);
+    print_plan(&plan, cache.as_ref());
     let free = memory::available().map(|m| format!(" of {} free", bytes_text(m))).unwrap_or_default();
     say!("memory: about {}{free}", bytes_text(plan.bytes));
     Ok(ExitCode::SUCCESS)
 }
 
-fn print_plan(plan: &Plan) {
+/// What is known of a stage in the cache.
+fn cached_text(stage: &PlannedStage, cache: Option<&Cache>) -> String {
+    match cache.filter(|_| stage.cached).map(|cache| cache.check(stage)) {
+        None => String::new(),
+        Some(Err(e)) => format!("  damaged in the cache ({e}); made again where it is needed"),
+        Some(Ok(())) if stage.watched => "  cached, but runs again for `watch`".into(),
+        Some(Ok(())) => "  cached".into(),
+    }
+}
+
+fn print_plan(plan: &Plan, cache: Option<&Cache>) {
     for (k, stage) in plan.stages.iter().enumerate() {
         let label = stage.label.as_ref().map(|l| format!("{l}: ")).unwrap_or_default();
-        let cached = if stage.cached { "  cached" } else { "" };
+        let cached = cached_text(stage, cache);
         say!(
             "{:>3}  {:<8} {:<52} {:>10} nodes  {:<12} {:>10}{cached}",
             k + 1,

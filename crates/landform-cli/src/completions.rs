@@ -16,8 +16,13 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, mut command: clap::Command) -> Result<ExitCode, Failure> {
     let mut text = Vec::new();
     clap_complete::generate(args.shell, &mut command, "landform", &mut text);
-    match std::io::stdout().write_all(&text) {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Ok(ExitCode::FAILURE),
+    // The last line may wait for its end.
+    let mut stdout = std::io::stdout();
+    match stdout.write_all(&text).and_then(|()| stdout.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            complain!("error: cannot write to standard output: {e}");
+            Ok(ExitCode::FAILURE)
+        }
         _ => Ok(ExitCode::SUCCESS),
     }
 }

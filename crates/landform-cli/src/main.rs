@@ -93,7 +93,10 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(usage) => return show_error::show_usage(&usage),
+    };
     let result = match cli.command {
         Command::New(args) => new::run(&args),
         Command::Check(args) => check::run(&args),

@@ -2,6 +2,7 @@
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
+use std::process::ExitCode;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -20,7 +21,8 @@ pub(crate) enum Style {
     Bar,
     /// Plain lines.
     Plain,
-    /// One JSON object a line, on standard output: times in years, volumes in cubic metres.
+    /// One JSON object a line, on standard output: times in years (null where rounds have no length in time), volumes in
+    /// cubic metres.
     Json,
     /// Nothing.
     None,
@@ -40,6 +42,10 @@ struct State {
     bar: Option<ProgressBar>,
     last: Instant,
     stage: usize,
+    /// Whether steps have no length in time.
+    timeless: bool,
+    /// Why a line could not be printed.
+    untold: Option<std::io::Error>,
 }
 
 impl Reporter {
@@ -50,11 +56,15 @@ impl Reporter {
             Style::Auto => Style::Plain,
             other => other,
         };
-        Self { style, state: Mutex::new(State { bar: None, last: Instant::now(), stage: 0 }) }
+        let state = State { bar: None, last: Instant::now(), stage: 0, timeless: false, untold: None };
+        Self { style, state: Mutex::new(state) }
     }
 
     pub(crate) fn take(&self, signal: Signal) {
         let Ok(mut state) = self.state.lock() else { return };
+        if let Signal::Stage { timeless, .. } = signal {
+            state.timeless = timeless;
+        }
         match self.style {
             Style::Bar => bar(&mut state, &signal),
             Style::Plain => plain(&mut state, &signal),
@@ -72,15 +82,36 @@ impl Reporter {
     }
 
     pub(crate) fn files(&self, files: &[PathBuf], seconds: f64) {
+        let Ok(mut state) = self.state.lock() else { return };
         match self.style {
-            Style::Json => tell(&json!({ "event": "done", "files": files, "seconds": seconds })),
+            Style::Json => state.tell(&json!({ "event": "done", "files": files, "seconds": seconds })),
             Style::None => {}
             _ => {
                 for file in files {
-                    tell(&file.display());
+                    state.tell(&file.display());
                 }
                 complain!("done in {seconds:.1} s");
             }
+        }
+    }
+
+    /// Success, if all that was to be told could be printed.
+    pub(crate) fn told(&self) -> ExitCode {
+        let untold = self.state.lock().ok().and_then(|mut state| state.untold.take());
+        let Some(e) = untold else { return ExitCode::SUCCESS };
+        complain!("error: cannot write to standard output: {e}; the run itself is complete");
+        ExitCode::FAILURE
+    }
+}
+
+impl State {
+    /// Prints a line; a run goes on even if the output is closed or full.
+    fn tell(&mut self, line: &dyn std::fmt::Display) {
+        use std::io::Write;
+        if let Err(e) = writeln!(std::io::stdout(), "{line}")
+            && e.kind() != std::io::ErrorKind::BrokenPipe
+        {
+            self.untold = Some(e);
         }
     }
 }
@@ -100,12 +131,17 @@ fn years(seconds: f64) -> String {
     }
 }
 
-fn step_line(steps: u64, time: f64, residual: Option<f64>) -> String {
-    let residual = residual.map(|r| format!(", residual {r:.1e}")).unwrap_or_default();
-    format!("step {steps}, {}{residual}", years(time))
+/// The clock after a step; nothing where steps have no length in time.
+fn clock(time: f64, timeless: bool) -> String {
+    if timeless { String::new() } else { format!(", {}", years(time)) }
 }
 
-fn outcome_line(o: &Outcome) -> String {
+fn step_line(steps: u64, time: f64, residual: Option<f64>, timeless: bool) -> String {
+    let residual = residual.map(|r| format!(", residual {r:.1e}")).unwrap_or_default();
+    format!("step {steps}{}{residual}", clock(time, timeless))
+}
+
+fn outcome_line(o: &Outcome, timeless: bool) -> String {
     let why = match o.stopped {
         Stopped::EndTime => "end of time",
         Stopped::MaxSteps => "step limit",
@@ -118,16 +154,16 @@ fn outcome_line(o: &Outcome) -> String {
     let exported = o.budget.change.exported;
     let gone = if exported > 0.0 { format!("; {exported:.3e} m3 left the map") } else { String::new() };
     format!(
-        "{why} after {} steps, {}{residual}; mass closes to {:.0e}{gone}",
+        "{why} after {} steps{}{residual}; mass closes to {:.0e}{gone}",
         o.steps,
-        years(o.time),
+        clock(o.time, timeless),
         o.budget.imbalance()
     )
 }
 
 fn bar(state: &mut State, signal: &Signal) {
     match signal {
-        Signal::Stage { index, of, name, cached } => {
+        Signal::Stage { index, of, name, cached, .. } => {
             if let Some(bar) = state.bar.take() {
                 bar.finish_and_clear();
             }
@@ -143,10 +179,10 @@ fn bar(state: &mut State, signal: &Signal) {
         Signal::Step { steps, time, part, residual } => {
             if let Some(bar) = &state.bar {
                 bar.set_position((part.unwrap_or(0.0).clamp(0.0, 1.0) * 1000.0) as u64);
-                bar.set_message(step_line(*steps, *time, *residual));
+                bar.set_message(step_line(*steps, *time, *residual, state.timeless));
             }
         }
-        Signal::Outcome(o) => say(state, &format!("  {}", outcome_line(o))),
+        Signal::Outcome(o) => say(state, &format!("  {}", outcome_line(o, state.timeless))),
         Signal::Note(text) => say(state, &format!("note: {text}")),
     }
 }
@@ -160,7 +196,7 @@ fn say(state: &State, text: &str) {
 
 fn plain(state: &mut State, signal: &Signal) {
     match signal {
-        Signal::Stage { index, of, name, cached } => {
+        Signal::Stage { index, of, name, cached, .. } => {
             complain!("{}", stage_line(*index, *of, name, *cached));
             state.last = Instant::now();
         }
@@ -168,17 +204,17 @@ fn plain(state: &mut State, signal: &Signal) {
             if state.last.elapsed().as_secs_f64() >= PLAIN_EVERY {
                 state.last = Instant::now();
                 let part = part.map(|p| format!("{:>3.0} %, ", p.clamp(0.0, 1.0) * 100.0)).unwrap_or_default();
-                complain!("  {part}{}", step_line(*steps, *time, *residual));
+                complain!("  {part}{}", step_line(*steps, *time, *residual, state.timeless));
             }
         }
-        Signal::Outcome(o) => complain!("  {}", outcome_line(o)),
+        Signal::Outcome(o) => complain!("  {}", outcome_line(o, state.timeless)),
         Signal::Note(text) => complain!("note: {text}"),
     }
 }
 
 fn as_json(state: &mut State, signal: &Signal) {
     let line = match signal {
-        Signal::Stage { index, of, name, cached } => {
+        Signal::Stage { index, of, name, cached, .. } => {
             state.stage = *index;
             json!({ "event": "stage", "stage": index, "of": of, "name": name, "cached": cached })
         }
@@ -187,19 +223,15 @@ fn as_json(state: &mut State, signal: &Signal) {
                 return;
             }
             state.last = Instant::now();
-            json!({ "event": "step", "stage": state.stage, "steps": steps, "years": time / YEAR, "part": part, "residual": residual })
+            let years = (!state.timeless).then_some(time / YEAR);
+            json!({ "event": "step", "stage": state.stage, "steps": steps, "years": years, "part": part, "residual": residual })
         }
         Signal::Outcome(o) => {
-            json!({ "event": "outcome", "stage": state.stage, "steps": o.steps, "years": o.time / YEAR,
+            let years = (!state.timeless).then_some(o.time / YEAR);
+            json!({ "event": "outcome", "stage": state.stage, "steps": o.steps, "years": years,
                 "stopped": o.stopped, "residual": o.residual, "budget": o.budget, "imbalance": o.budget.imbalance() })
         }
         Signal::Note(text) => json!({ "event": "note", "text": text }),
     };
-    tell(&line);
-}
-
-/// Prints a line; a run goes on even if the output is closed.
-fn tell(line: &dyn std::fmt::Display) {
-    use std::io::Write;
-    writeln!(std::io::stdout(), "{line}").ok();
+    state.tell(&line);
 }

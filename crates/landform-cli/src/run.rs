@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use landform::core::parallel::with_threads;
+use landform::core::units::Duration;
 use landform::core::verb::CancelToken;
 use landform::core::{Error, Result};
 use landform::io::files::Folder;
@@ -39,6 +40,9 @@ pub(crate) struct Args {
     /// Goes on where an interrupted run stopped.
     #[arg(long)]
     resume: bool,
+    /// Wall-clock time between two saves of the state of a running stage, for --resume.
+    #[arg(long, value_name = "TIME", default_value = "1 min", value_parser = interval)]
+    checkpoint_every: Duration,
     /// Runs even if the memory seems too small.
     #[arg(long)]
     force: bool,
@@ -57,6 +61,15 @@ pub(crate) struct Args {
     /// Prints errors only.
     #[arg(short, long)]
     quiet: bool,
+}
+
+/// A time such as "30 s" or "10 min".
+fn interval(text: &str) -> Result<Duration, String> {
+    match Duration::parse(text) {
+        Ok(time) if time.si() >= 0.0 => Ok(time),
+        Ok(_) => Err("a time cannot be negative; write 30 s or 10 min".into()),
+        Err(e) => Err(format!("{e}; write 30 s or 10 min")),
+    }
 }
 
 /// Text that differs between builds of this program, so that the cache of an older build is not used.
@@ -82,18 +95,18 @@ fn check_files(recipe: &Recipe, folder: &Folder, args: &Args) -> Result<()> {
     let inputs: Vec<PathBuf> = recipe.inputs().filter_map(|path| path.canonicalize().ok()).collect();
     for path in recipe.outputs() {
         folder.check(&path)?;
-        if let Ok(target) = args.output.join(&path).canonicalize()
-            && inputs.contains(&target)
-        {
-            let what = format!("`{path}` would be written over a file that the recipe reads");
-            return Err(Error::Recipe {
-                at: None,
-                what,
-                hint: Some("give it another `path`, or another folder by -o".into()),
-            });
+        if args.output.join(&path).canonicalize().is_ok_and(|target| inputs.contains(&target)) {
+            return Err(over_input(&path));
         }
     }
-    Ok(())
+    let root = args.output.canonicalize().map_err(|e| Error::io("find", &args.output, e))?;
+    let mut inside = inputs.iter().filter_map(|input| input.strip_prefix(&root).ok()?.to_str());
+    inside.find(|path| recipe.is_frame(path)).map_or(Ok(()), |path| Err(over_input(path)))
+}
+
+fn over_input(path: &str) -> Error {
+    let what = format!("`{path}` would be written over a file that the recipe reads");
+    Error::Recipe { at: None, what, hint: Some("give it another `path`, or another folder by -o".into()) }
 }
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
@@ -135,6 +148,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         cache: cache.as_ref(),
         checkpoint: Some(state.join("checkpoint.lfc")),
         resume: args.resume,
+        checkpoint_every: args.checkpoint_every.si(),
         salt,
         cancel,
         progress: &|signal| {
@@ -148,7 +162,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     match ran.map_err(about(&args.recipe))? {
         Ran::ToTheEnd(..) => {
             reporter.files(folder.written(), start.elapsed().as_secs_f64());
-            Ok(ExitCode::SUCCESS)
+            Ok(reporter.told())
         }
         Ran::Interrupted(checkpoint) => {
             let how = match checkpoint {

@@ -1,6 +1,7 @@
 //! Errors as people read them: what, where, and a hint.
 
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use landform::core::Error;
 
@@ -25,6 +26,17 @@ pub(crate) fn show(failure: &Failure) {
     match &failure.error {
         Error::Several(errors) => errors.iter().for_each(|error| show_one(error, failure.recipe.as_deref())),
         error => show_one(error, failure.recipe.as_deref()),
+    }
+}
+
+/// Prints help, a version, or what is wrong with the arguments.
+pub(crate) fn show_usage(usage: &clap::Error) -> ExitCode {
+    match usage.print() {
+        Err(e) if !usage.use_stderr() && e.kind() != std::io::ErrorKind::BrokenPipe => {
+            complain!("error: cannot write to standard output: {e}");
+            ExitCode::FAILURE
+        }
+        _ => ExitCode::from(u8::try_from(usage.exit_code()).unwrap_or(2)),
     }
 }
 

@@ -1,11 +1,20 @@
 //! Files that are written whole or not at all: written under another name, then renamed.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use landform_core::verb::{Output, file_path, relative_path};
 use landform_core::{Error, Result};
+
+/// End of the name of a file that is not whole yet; before it stand the file's own name and the process that writes it.
+const UNFINISHED: &str = ".landform.part";
+/// Begin of the name of a file that shows whether a folder can be written to.
+const PROBE: &str = ".landform-probe.";
+/// Where processes cannot be looked up, what was not touched for so long is of one that lives no more.
+const A_DAY: Duration = Duration::from_secs(86_400);
 
 /// Writes a whole file: first under another name, then flushed to disk and renamed.
 ///
@@ -13,7 +22,7 @@ use landform_core::{Error, Result};
 /// [`Error::Io`] if the file cannot be written; then no part of it is left.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let aside = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
+    let aside = path.with_file_name(format!(".{name}.{}{UNFINISHED}", std::process::id()));
     // A device or a pipe is written to, not replaced.
     if fs::metadata(path).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
         let mut to = fs::File::options().write(true).open(path).map_err(|e| Error::io("write", path, e))?;
@@ -29,6 +38,36 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
         fs::remove_file(&aside).ok();
         Error::io("write", path, e)
     })
+}
+
+/// Removes from a folder what processes that were killed left unfinished. Files of processes that live are left, as is all that
+/// this program did not make.
+pub fn sweep(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        let writer = entry.file_name().to_str().and_then(writer);
+        if is_file && writer.is_some_and(|process| is_gone(process, &entry)) {
+            // What cannot be removed only takes room.
+            fs::remove_file(entry.path()).ok();
+        }
+    }
+}
+
+/// The process that writes an unfinished file; none of any other file.
+fn writer(name: &str) -> Option<u32> {
+    let part = || name.strip_prefix('.')?.strip_suffix(UNFINISHED)?.rsplit_once('.').map(|(_, process)| process);
+    let digits = name.strip_prefix(PROBE).or_else(part)?;
+    digits.bytes().all(|b| b.is_ascii_digit()).then(|| digits.parse().ok())?
+}
+
+fn is_gone(process: u32, entry: &fs::DirEntry) -> bool {
+    let processes = Path::new("/proc");
+    if processes.join("self").exists() {
+        return !processes.join(process.to_string()).exists();
+    }
+    let touched = entry.metadata().and_then(|meta| meta.modified());
+    process != std::process::id() && touched.is_ok_and(|at| at.elapsed().is_ok_and(|age| age > A_DAY))
 }
 
 /// Reads a whole file. A device or a pipe, which may have no end, is refused.
@@ -49,20 +88,24 @@ pub struct Folder {
     root: PathBuf,
     written: Vec<PathBuf>,
     may_leave: bool,
+    /// Folders in which nothing unfinished is left.
+    swept: BTreeSet<PathBuf>,
 }
 
 impl Folder {
-    /// A folder, which is created if it does not exist, and checked to be writable.
+    /// A folder, which is created if it does not exist, and checked to be writable. What killed processes left unfinished in it
+    /// goes.
     ///
     /// # Errors
     /// [`Error::Io`].
     pub fn create(root: &Path) -> Result<Self> {
         fs::create_dir_all(root).map_err(|e| Error::io("create folder", root, e))?;
-        let probe = root.join(format!(".landform-probe.{}", std::process::id()));
+        let probe = root.join(format!("{PROBE}{}", std::process::id()));
         fs::write(&probe, b"")
             .and_then(|()| fs::remove_file(&probe))
             .map_err(|e| Error::io("write in folder", root, e))?;
-        Ok(Self { root: root.into(), written: Vec::new(), may_leave: false })
+        sweep(root);
+        Ok(Self { root: root.into(), written: Vec::new(), may_leave: false, swept: BTreeSet::from([root.into()]) })
     }
 
     /// Whether paths may lead out of the folder: by `..`, absolute, or over a link.
@@ -107,6 +150,9 @@ impl Output for Folder {
         let target = self.root.join(path);
         if let Some(parent) = target.parent() {
             fs::create_dir_all(parent).map_err(|e| Error::io("create folder", parent, e))?;
+            if self.swept.insert(parent.into()) {
+                sweep(parent);
+            }
         }
         write_whole(&target, bytes)?;
         self.written.push(target);

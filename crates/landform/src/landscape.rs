@@ -11,8 +11,8 @@ use landform_core::verb::{Context, Environment, Event, MemoryOutput, Outcome, Pa
 use landform_core::{Error, Result};
 use landform_io::files::write_whole;
 use landform_io::format::{
-    MeshFile, RasterFile, load_raster, mesh_file_from_height_field, mesh_file_from_mesh, mesh_format, raster_format,
-    sidecar_path,
+    MeshFile, RasterFile, Reading, mesh_file_from_height_field, mesh_file_from_mesh, mesh_format, raster_format,
+    read_raster, sidecar_path,
 };
 use landform_io::import::{FileMaps, in_degrees};
 
@@ -52,6 +52,8 @@ pub struct Landscape {
     pub title: String,
     /// Seed of everything that is random.
     pub seed: u64,
+    /// What the files that were read say and nobody follows, and what was assumed of them.
+    pub notes: Vec<String>,
 }
 
 impl<T: Representation> From<T> for Landscape {
@@ -63,17 +65,19 @@ impl<T: Representation> From<T> for Landscape {
 impl Landscape {
     /// A terrain by itself.
     pub fn of(terrain: AnyTerrain) -> Self {
-        Self { terrain, environment: Arc::default(), history: Vec::new(), title: String::new(), seed: 0 }
+        let (environment, history, title, notes) = Default::default();
+        Self { terrain, environment, history, title, seed: 0, notes }
     }
 
     /// Reads an elevation file: GeoTIFF, ESRI ASCII, PNG, PNM, EXR, NPY, RAW16. Water leaves by the low points of the border.
+    /// What was assumed of the file is in [`Landscape::notes`].
     ///
     /// # Errors
     /// [`Error::Io`] or [`Error::Format`] if the file cannot be read; [`Error::Parameter`] if it is in degrees, since slopes need
     /// metres.
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        let mut field = load_raster(path)?;
+        let Reading { mut field, notes } = read_raster(path)?;
         if in_degrees(&field) {
             let value = format!("\"{}\", which is in degrees of longitude and latitude", path.display());
             return Err(Error::parameter("path", value, "metres; warp it to UTM first"));
@@ -81,7 +85,7 @@ impl Landscape {
         let valleys = landform_core::verb::Outlets::Named(landform_core::verb::NamedOutlets::Valleys);
         valleys.apply(&mut field, 0.0, &Context::default())?;
         let title = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-        Ok(Self { title, ..Self::of(field.wrap()) })
+        Ok(Self { title, notes, ..Self::of(field.wrap()) })
     }
 
     /// Writes the surface: the extension says whether as a raster (tif, asc, exr, npy, png, pgm, r16) or as triangles (glb, obj,
@@ -138,6 +142,7 @@ impl Landscape {
         let seed = Seed(self.seed).named(&format!("{}#{}", P::NAME, self.history.len()));
         let context = Context { seed, maps: &maps, environment: &self.environment, ..Context::default() };
         self.terrain = stage.apply(Some(&self.terrain), &context)?;
+        self.notes.extend(maps.take_notes());
         self.record(&[stage], None);
         Ok(self)
     }
@@ -221,8 +226,10 @@ impl Evolution<'_> {
     pub fn run(self) -> Result<Outcome> {
         let Self { land, dt, stop, parts } = self;
         let parts = parts?;
-        let running = Running { land, dt, stop, parts: &parts };
+        let maps = Arc::new(FileMaps::new(Path::new("")));
+        let running = Running { land, dt, stop, parts: &parts, maps: maps.clone() };
         let (terrain, outcome) = land.terrain.visit(running)?;
+        land.notes.extend(maps.take_notes());
         debug_assert!(outcome.stopped != Stopped::Cancelled, "nobody could");
         land.terrain = terrain;
         land.record(&parts, Some(outcome));
@@ -235,6 +242,7 @@ struct Running<'a> {
     dt: f64,
     stop: Stop,
     parts: &'a [ReadStage],
+    maps: Arc<FileMaps>,
 }
 
 impl Visit for Running<'_> {
@@ -246,11 +254,7 @@ impl Visit for Running<'_> {
             part.add_to(T::KIND, &mut model)?;
         }
         let seed = Seed(self.land.seed).named(&format!("evolve#{}", self.land.history.len()));
-        let model = model
-            .dt(self.dt)
-            .seed(seed)
-            .maps(Arc::new(FileMaps::new(Path::new(""))))
-            .environment(self.land.environment.clone());
+        let model = model.dt(self.dt).seed(seed).maps(self.maps).environment(self.land.environment.clone());
         let mut run = Simulation::of(model).until(self.stop);
         let outcome = run.run()?;
         Ok((run.into_terrain().wrap(), outcome))

@@ -37,7 +37,7 @@ fn broken() -> Vec<(String, usize, &'static str, &'static str)> {
         (s("title = 4\n[[stage]]\nuse = \"flat\""), 1, "`title` is not a text", ""),
         (s("[[stage]]\nsize = 3"), 1, "no `use`", ""),
         (s("[[stage]]\nuse = 3"), 2, "`use` is not a text", ""),
-        (after_head("[[stage]]\nuse = \"write_raster\"\npath = \"z.ppm\""), 5, "a file of colours", ".pgm"),
+        (after_head("[[stage]]\nuse = \"write_raster\"\npath = \"z.ppm\""), 5, "a file of colours", ""),
         (after_head("[[stage]]\nuse = \"snow\"\ncarry = \"1e18 m\""), 5, "`carry` is", ""),
         (after_head("[[stage]]\nuse = \"snow\"\ngrowth = 1e308"), 5, "`growth` is", ""),
         (s("[[stage]]\nuse = \"stream_graph\"\nsize = [\"1e-308 m\", \"1 km\"]"), 3, "`size", ""),

@@ -33,17 +33,17 @@ pub fn pack(kind: &str, key: &str, value: &impl Serialize) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whether whole and undamaged bytes carry this kind and key.
+/// Whether bytes carry this kind and key, if they are whole and undamaged. The first few hundred will do.
 pub fn is_for(kind: &str, key: &str, bytes: &[u8]) -> bool {
     let names: Vec<u8> = [kind, key].iter().flat_map(|t| std::iter::once(t.len() as u8).chain(t.bytes())).collect();
     bytes.get(40..).is_some_and(|body| body.starts_with(&names))
 }
 
-/// The value in a container that [`pack`] made with the same kind and key.
+/// What follows the checksum of a container, of whatever kind.
 ///
 /// # Errors
-/// [`Error::Format`] that says whether the bytes are foreign, damaged, or belong to something else.
-pub fn unpack<T: DeserializeOwned>(kind: &str, key: &str, bytes: &[u8]) -> Result<T> {
+/// [`Error::Format`] that says whether the bytes are foreign or damaged.
+pub fn undamaged(bytes: &[u8]) -> Result<&[u8]> {
     let fail = |what: &str| Err(Error::format(FORMAT, what));
     let Some(rest) = bytes.strip_prefix(MAGIC) else {
         return fail("it was not written by this version of landform");
@@ -54,7 +54,16 @@ pub fn unpack<T: DeserializeOwned>(kind: &str, key: &str, bytes: &[u8]) -> Resul
     if Sha256::digest(body).as_slice() != sum {
         return fail("it is truncated or damaged");
     }
-    let mut rest = body;
+    Ok(body)
+}
+
+/// The value in a container that [`pack`] made with the same kind and key. A first part of the value may be read alone.
+///
+/// # Errors
+/// [`Error::Format`] that says whether the bytes are foreign, damaged, or belong to something else.
+pub fn unpack<T: DeserializeOwned>(kind: &str, key: &str, bytes: &[u8]) -> Result<T> {
+    let fail = |what: &str| Err(Error::format(FORMAT, what));
+    let mut rest = undamaged(bytes)?;
     for expected in [kind, key] {
         let text = rest.split_first().and_then(|(n, r)| r.split_at_checked(usize::from(*n)));
         match text {

@@ -11,7 +11,7 @@ mod steady;
 mod tests;
 
 pub use crate::verb::{Budget, Outcome, Stopped};
-pub use checkpoint::{is_for, pack, unpack};
-pub use model::{Model, StepReport};
+pub use checkpoint::{is_for, pack, undamaged, unpack};
+pub use model::{Model, StepReport, saved_steps};
 pub use schedule::{Every, Stop};
 pub use simulation::{Simulation, View};

@@ -45,6 +45,15 @@ struct Saved<T> {
     states: Vec<(String, Vec<u8>)>,
 }
 
+/// Steps that a model had taken when it was saved; its terrain is not read.
+///
+/// # Errors
+/// [`Error::Format`] if it is damaged or belongs to another model.
+pub fn saved_steps(key: &str, saved: &[u8]) -> Result<u64> {
+    // The clock comes first.
+    unpack::<Clock>("checkpoint", key, saved).map(|clock| clock.steps)
+}
+
 /// A terrain, the processes that act on it with their states, and a clock. It owns all its data, so that it can be kept, sent to
 /// another thread, and changed between steps.
 ///

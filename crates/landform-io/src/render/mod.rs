@@ -24,6 +24,7 @@ mod perspective;
 mod pyramid;
 
 use landform_core::grid::Shape;
+use serde::{Deserialize, Serialize};
 
 pub use colour::Ramp;
 pub use drawing::{Waters, waters};
@@ -31,7 +32,7 @@ pub use map::{MapStyle, difference_map, field_map, shaded_map, value_picture};
 pub use perspective::{View, perspective};
 
 /// A picture: 8-bit red, green, blue, row-major from the top.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
     /// Rows and columns.
     pub shape: Shape,

@@ -82,14 +82,19 @@ impl Work {
         }
     }
 
-    /// Files that it writes, below the output folder.
+    /// Files that it writes, below the output folder; of numbered ones the first.
     pub(super) fn outputs(&self) -> Vec<String> {
-        let watched = self.watch().into_iter().flat_map(Watch::paths).map(|p| p.1.to_string());
+        let watched = self.watch().into_iter().flat_map(Watch::outputs);
         watched.chain(self.parts().iter().flat_map(|p| p.outputs()).cloned()).collect()
     }
 
     pub(super) fn changes_terrain(&self) -> bool {
         self.verb().changes_terrain()
+    }
+
+    /// Whether its steps are rounds that have no length in time.
+    pub(super) fn is_timeless(&self) -> bool {
+        matches!(self, Self::Evolve(evolve) if evolve.clock.timeless)
     }
 
     /// The parameters in customary units, defaults included.

@@ -19,8 +19,10 @@
 //! ```
 
 mod cache;
+mod checkpoint;
 mod clock;
 mod entry;
+mod evolve;
 mod gallery;
 mod help;
 mod level;

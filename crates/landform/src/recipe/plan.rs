@@ -33,8 +33,10 @@ pub struct PlannedStage {
     pub nodes: u64,
     /// Bytes at its peak.
     pub bytes: u64,
-    /// Whether its terrain is in the cache, so that it will not run.
+    /// Whether its terrain is in the cache, so that it will not run, unless it is watched.
     pub cached: bool,
+    /// Whether it writes files while it runs, and so runs even if its terrain is in the cache.
+    pub watched: bool,
     /// Key of the terrain after it.
     pub(super) key: String,
 }
@@ -79,6 +81,7 @@ impl Recipe {
                 nodes: current.0.nodes,
                 bytes: current.0.bytes,
                 cached: entry.work.changes_terrain() && cache.is_some_and(|c| c.has(&current.1)),
+                watched: entry.work.watch().is_some(),
                 key: current.1.clone(),
             });
         }
@@ -97,9 +100,14 @@ impl Recipe {
         parts.flat_map(|p| input_paths(p.stage().inputs, p.parameters())).map(|path| self.folder.join(path))
     }
 
-    /// Files that it writes, below the output folder.
+    /// Files that it writes, below the output folder; of the numbered frames of a `watch` the first.
     pub fn outputs(&self) -> impl Iterator<Item = String> {
         self.entries.iter().flat_map(|e| e.work.outputs())
+    }
+
+    /// Whether a file of the output folder may be a numbered frame of a `watch`.
+    pub fn is_frame(&self, path: &str) -> bool {
+        self.entries.iter().filter_map(|e| e.work.watch()).any(|watch| watch.is_frame(path))
     }
 
     /// What the key of the first stage begins with: what surrounds the landscape.

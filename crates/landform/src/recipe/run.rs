@@ -2,21 +2,19 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use landform_core::random::Seed;
-use landform_core::sim::{Every, Model, Simulation};
 use landform_core::stage::Verb;
-use landform_core::terrain::{AnyTerrain, HeightField, Representation, Surface, Terrain, Visit};
-use landform_core::verb::{CancelToken, Context, Event, Landscape, Outcome, Output, Stopped};
+use landform_core::terrain::{AnyTerrain, HeightField, Representation};
+use landform_core::verb::{CancelToken, Context, Event, Landscape, Outcome, Output};
 use landform_core::{Error, Result};
-use landform_io::files::write_whole;
 
 use super::cache::Cache;
-use super::entry::{Entry, Evolve, Work};
-use super::watch::{Watch, Watcher};
+use super::checkpoint::{Checkpoint, check_undamaged};
+use super::entry::{Entry, Work};
+use super::evolve::Evolving;
+use super::watch::Watch;
 use super::{Plan, Recipe};
 
 /// A signal of a run while it goes on.
@@ -32,6 +30,8 @@ pub enum Signal {
         name: String,
         /// Whether its terrain was in the cache, so that it is not run.
         cached: bool,
+        /// Whether its steps are rounds that have no length in time.
+        timeless: bool,
     },
     /// A step of a process was taken.
     Step {
@@ -57,11 +57,11 @@ pub type Progress<'a> = dyn Fn(Signal) + Sync + 'a;
 pub struct Options<'a> {
     /// Terrains of earlier runs, and where those of this one are kept.
     pub cache: Option<&'a Cache>,
-    /// Where the state of an interrupted stage is kept; nowhere if none.
+    /// Where the state of an interrupted stage is kept; nowhere if none. What `watch` saw until then is kept in a folder beside it.
     pub checkpoint: Option<PathBuf>,
     /// Goes on from the checkpoint if it fits.
     pub resume: bool,
-    /// Seconds between checkpoints.
+    /// Seconds of wall-clock time between checkpoints.
     pub checkpoint_every: f64,
     /// Part of the cache's keys that differs between builds of the program.
     pub salt: String,
@@ -133,17 +133,20 @@ impl Recipe {
     /// # Errors
     /// [`Error::Stage`] if a stage fails, with the error of the stage.
     pub fn run(&self, out: &mut dyn Output, options: &Options) -> Result<Ran> {
-        let runner = Runner { recipe: self, options, cache: options.cache, damaged: Default::default() };
-        self.notes.iter().for_each(|note| (options.progress)(Signal::Note(note.clone())));
+        let mut runner =
+            Runner { recipe: self, options, cache: options.cache, damaged: Default::default(), kept: None };
+        self.notes.iter().for_each(|note| runner.note(note.clone()));
+        let mut plan = self.plan(options.cache, &options.salt)?;
+        runner.kept = runner.find_kept(&plan)?;
         loop {
-            let plan = self.plan(options.cache, &options.salt)?;
             runner.tell_notes();
             let ran = runner.run(&plan, out);
             // A terrain that seemed cached cannot be read: it is removed and made again.
             match runner.damaged.take() {
                 Some((key, why)) => {
-                    (options.progress)(Signal::Note(format!("cache: {why}; the stage is run again")));
+                    runner.note(format!("cache: {why}; the stage is run again"));
                     options.cache.iter().for_each(|c| c.forget(&key));
+                    plan = self.plan(options.cache, &options.salt)?;
                 }
                 None => return ran,
             }
@@ -157,6 +160,16 @@ struct Runner<'a> {
     cache: Option<&'a Cache>,
     /// Key of a cached terrain that could not be read, and why.
     damaged: std::cell::RefCell<Option<(String, String)>>,
+    /// What an earlier run left of a stage of this recipe.
+    kept: Option<Kept>,
+}
+
+/// The state of a stage that an interrupted run left.
+struct Kept {
+    /// Index of the stage.
+    stage: usize,
+    /// Steps up to which it is worth more than the state of a run that begins anew.
+    ahead: u64,
 }
 
 impl Runner<'_> {
@@ -177,13 +190,14 @@ impl Runner<'_> {
                 current = slot.clone();
             }
             // Files that are written on the way are not in the cache.
-            let watched = entry.work.watch().is_some() && self.watches();
+            let watched = self.watch_of(entry).is_some();
             let known = if planned.cached && !watched { self.known(&planned.key, &current) } else { None };
             (self.options.progress)(Signal::Stage {
                 index: k + 1,
                 of,
                 name: planned.name.clone(),
                 cached: known.is_some(),
+                timeless: entry.work.is_timeless(),
             });
             if self.options.cancel.is_cancelled() {
                 return Ok(Ran::Interrupted(None));
@@ -198,7 +212,7 @@ impl Runner<'_> {
                 match self.tell(entry, &terrain, &current.history, out) {
                     // One measure that finds nothing to measure does not end a sweep.
                     Err(e) if self.options.tells == Tells::Measures => {
-                        (self.options.progress)(Signal::Note(format!("`{}`: {e}", entry.name)));
+                        self.note(format!("`{}`: {e}", entry.name));
                     }
                     told => told.map_err(fail)?,
                 }
@@ -209,7 +223,7 @@ impl Runner<'_> {
                         with.push((label.clone(), self.terrain(slot).map_err(fail)?));
                     }
                 }
-                match self.change(entry, &mut current, &with, &planned.key, out).map_err(fail)? {
+                match self.change(k, entry, &mut current, &with, &planned.key, out).map_err(fail)? {
                     Some(slot) => current = slot,
                     None => return Ok(Ran::Interrupted(self.options.checkpoint.clone())),
                 }
@@ -229,7 +243,58 @@ impl Runner<'_> {
 
     /// Tells what readers of files noted.
     fn tell_notes(&self) {
-        self.recipe.file_notes().into_iter().for_each(|note| (self.options.progress)(Signal::Note(note)));
+        self.recipe.file_notes().into_iter().for_each(|note| self.note(note));
+    }
+
+    fn note(&self, text: impl Into<String>) {
+        (self.options.progress)(Signal::Note(text.into()));
+    }
+
+    /// What an earlier run left of a stage that is to run; says where it is, or why it is of no use.
+    fn find_kept(&self, plan: &Plan) -> Result<Option<Kept>> {
+        let resume = self.options.resume;
+        let Some(path) = self.options.checkpoint.as_deref().filter(|path| path.is_file()) else {
+            if resume {
+                self.note("there is no checkpoint to go on from; what is not in the cache starts afresh");
+            }
+            return Ok(None);
+        };
+        let entries = self.recipe.entries.iter().zip(&plan.stages).enumerate();
+        let found = entries
+            .filter(|(_, (entry, planned))| !planned.cached || self.watch_of(entry).is_some())
+            .map(|(k, (entry, planned))| (k, planned, Checkpoint::new(path, &planned.key, self.watch_of(entry))))
+            .find(|(.., checkpoint)| checkpoint.is_there());
+        match found {
+            Some((stage, ..)) if resume => Ok(Some(Kept { stage, ahead: 0 })),
+            Some((stage, planned, checkpoint)) => Ok(checkpoint.steps().map(|ahead| {
+                let place = format!("{} (stage {}, `{}`, step {ahead})", path.display(), stage + 1, planned.name);
+                let how = "this run starts the stage afresh; to go on from there, stop it and run with --resume";
+                self.note(format!("there is a checkpoint of this recipe, {place}; {how}"));
+                Kept { stage, ahead }
+            })),
+            None => {
+                if resume {
+                    check_undamaged(path)?;
+                    self.note("the checkpoint is of another stage or recipe; what is not in the cache starts afresh");
+                }
+                Ok(None)
+            }
+        }
+    }
+
+    /// Where the state of a stage is kept, if it is; that of a later stage is worth more and left alone.
+    fn checkpoint<'k>(&'k self, stage: usize, key: &'k str, watch: Option<&Watch>) -> Option<Checkpoint<'k>> {
+        let new = || Some(Checkpoint::new(self.options.checkpoint.as_deref()?, key, watch));
+        match &self.kept {
+            Some(kept) if kept.stage > stage => None,
+            Some(kept) if kept.stage == stage => new().map(|checkpoint| checkpoint.keep_until(kept.ahead)),
+            _ => new(),
+        }
+    }
+
+    /// What is watched of a stage in this run.
+    fn watch_of<'e>(&self, entry: &'e Entry) -> Option<&'e Watch> {
+        entry.work.watch().filter(|_| self.options.tells == Tells::All)
     }
 
     /// The part of a terrain that was asked for, without its margin.
@@ -264,6 +329,7 @@ impl Runner<'_> {
     /// Runs a stage that changes the terrain; none if it was interrupted.
     fn change(
         &self,
+        index: usize,
         entry: &Entry,
         current: &mut Slot,
         with: &[(String, Arc<AnyTerrain>)],
@@ -277,7 +343,9 @@ impl Runner<'_> {
         let terrain = match &entry.work {
             Work::Evolve(evolve) => {
                 let before = self.terrain(current)?;
-                let evolving = Evolving { runner: self, evolve, seed: entry.seed, key, out };
+                let (recipe, options, watch) = (self.recipe, self.options, self.watch_of(entry));
+                let checkpoint = self.checkpoint(index, key, watch);
+                let evolving = Evolving { recipe, options, evolve, watch, seed, checkpoint, out };
                 let Some((terrain, ended)) = before.visit(evolving)? else {
                     return Ok(None);
                 };
@@ -292,19 +360,16 @@ impl Runner<'_> {
         if let Some(cache) = self.cache
             && let Err(e) = cache.store(key, &terrain, &event)
         {
-            (self.options.progress)(Signal::Note(format!("cache: {e}; the run goes on without it")));
+            self.note(format!("cache: {e}; the run goes on without it"));
         }
+        // Only now is nothing lost without it.
+        self.checkpoint(index, key, None).iter().for_each(Checkpoint::remove);
         let mut history = std::mem::take(&mut current.history);
         if entry.work.verb() == Verb::Generate {
             history.clear();
         }
         history.push(event);
         Ok(Some(Slot { key: key.into(), terrain: Some(terrain), history }))
-    }
-
-    /// Whether what `watch` asks for is written.
-    fn watches(&self) -> bool {
-        self.options.tells == Tells::All
     }
 
     fn tell(&self, entry: &Entry, terrain: &AnyTerrain, history: &[Event], out: &mut dyn Output) -> Result<()> {
@@ -315,124 +380,6 @@ impl Runner<'_> {
         (landscape.history, landscape.seed, landscape.title) = (history, self.recipe.seed, &self.recipe.title);
         stage.tell(&landscape, out)
     }
-
-    fn evolve<T: Surface>(
-        &self,
-        terrain: T,
-        evolve: &Evolve,
-        seed: Seed,
-        key: &str,
-        out: &mut dyn Output,
-    ) -> Result<Option<(AnyTerrain, Outcome)>> {
-        let clock = &evolve.clock;
-        let mut model = Model::new(terrain);
-        for part in &evolve.parts {
-            part.add_to(T::KIND, &mut model)?;
-        }
-        let model = model
-            .dt(clock.step())
-            .seed(seed)
-            .maps(self.recipe.maps.clone())
-            .environment(self.recipe.environment.clone())
-            .cancel(self.options.cancel.clone());
-        let watcher = evolve.watch.as_ref().filter(|_| self.watches()).map(|w| Watcher::new(w, clock.timeless));
-        let watcher = std::sync::Mutex::new(watcher);
-        let stop = clock.stop();
-        let mut first_residual = None;
-        let mut simulation = Simulation::of(model).until(stop).refine(clock.refine).observe(Every::Steps(1), |view| {
-            let part = match (stop.time, stop.steady, view.residual) {
-                (Some(end), ..) => Some(view.time / end),
-                (None, Some(tolerance), Some(residual)) => {
-                    let first = *first_residual.get_or_insert(residual);
-                    let gone = |r: f64| landform_core::math::log(r.max(tolerance) / tolerance);
-                    Some(1.0 - gone(residual) / gone(first).max(1e-9))
-                }
-                _ => None,
-            };
-            let part = match stop.steps {
-                Some(most) => Some(part.unwrap_or(0.0).max(view.steps as f64 / most as f64)),
-                None => part,
-            };
-            (self.options.progress)(Signal::Step { steps: view.steps, time: view.time, part, residual: view.residual });
-            Ok(ControlFlow::Continue(()))
-        });
-        if let Some(watch) = evolve.watch.as_ref().filter(|_| self.watches()) {
-            simulation = simulation.observe(watch.interval(), |view| match watcher.lock() {
-                Ok(mut watcher) => watcher.as_mut().map_or(Ok(ControlFlow::Continue(())), |w| w.look(view)),
-                Err(_) => Ok(ControlFlow::Break(())),
-            });
-        }
-        if let Some(every @ Every::Time(_)) = evolve.watch.as_ref().filter(|_| !self.watches()).map(Watch::interval) {
-            // Without an observer steps are as long as with one.
-            simulation = simulation.observe(every, |_| Ok(ControlFlow::Continue(())));
-        }
-        if let Some(path) = &self.options.checkpoint {
-            simulation = simulation.save_every(self.options.checkpoint_every, |model| save(model, key, path));
-            if self.options.resume && path.is_file() {
-                simulation = self.resume(simulation, key, path)?;
-                if evolve.watch.is_some() {
-                    let note = "what `watch` saw before the interruption is lost; it goes on from here";
-                    (self.options.progress)(Signal::Note(note.into()));
-                }
-            }
-        }
-        let outcome = simulation.run()?;
-        if outcome.stopped == Stopped::Cancelled {
-            if let Some(path) = &self.options.checkpoint {
-                save(simulation.model(), key, path)?;
-            }
-            return Ok(None);
-        }
-        if let Some(path) = &self.options.checkpoint {
-            std::fs::remove_file(path).ok();
-        }
-        let terrain = simulation.into_terrain().wrap();
-        if let Ok(Some(watcher)) = watcher.into_inner()
-            && let Some(note) = watcher.finish(out)?
-        {
-            (self.options.progress)(Signal::Note(note.into()));
-        }
-        Ok(Some((terrain, outcome)))
-    }
-
-    fn resume<'s, T: Terrain>(
-        &self,
-        simulation: Simulation<'s, T>,
-        key: &str,
-        path: &Path,
-    ) -> Result<Simulation<'s, T>> {
-        let bytes = landform_io::files::read_whole(path)?;
-        if landform_core::sim::is_for("checkpoint", key, &bytes) {
-            return simulation.resume(key, &bytes);
-        }
-        (self.options.progress)(Signal::Note(
-            "the checkpoint is of another stage or recipe; this stage starts afresh".into(),
-        ));
-        Ok(simulation)
-    }
-}
-
-/// Runs processes on a terrain of any kind.
-struct Evolving<'a, 'b> {
-    runner: &'a Runner<'b>,
-    evolve: &'a Evolve,
-    seed: Seed,
-    key: &'a str,
-    out: &'a mut dyn Output,
-}
-
-impl Visit for Evolving<'_, '_> {
-    type Out = Result<Option<(AnyTerrain, Outcome)>>;
-    fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
-        self.runner.evolve(terrain.clone(), self.evolve, self.seed, self.key, self.out)
-    }
-}
-
-fn save<T: Terrain>(model: &Model<T>, key: &str, path: &Path) -> Result<()> {
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|e| Error::io("create folder", folder, e))?;
-    }
-    write_whole(path, &model.save(key)?)
 }
 
 fn event(entry: &Entry, outcome: Option<Outcome>) -> Event {

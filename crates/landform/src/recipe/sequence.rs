@@ -145,11 +145,25 @@ fn check_paths(entries: &[Entry]) -> Result<()> {
             }
         }
     }
+    entries.iter().enumerate().try_for_each(|(k, entry)| check_frames(k + 1, entry, entries))
+}
+
+/// Nor may a stage write a file that may be a numbered frame of another.
+fn check_frames(number: usize, entry: &Entry, entries: &[Entry]) -> Result<()> {
+    let Some(watch) = entry.work.watch() else { return Ok(()) };
+    let first = watch.frame(1);
+    for (k, other) in entries.iter().enumerate() {
+        let same = |path: &String| Some(path) != first.as_ref() && watch.is_frame(path);
+        if let Some(path) = other.work.outputs().into_iter().find(same) {
+            let what = format!("stage {} writes `{path}`, which is a name of the `frames` of stage {number}", k + 1);
+            return Err(Error::Recipe { at: None, what, hint: Some("give one of them another name".into()) });
+        }
+    }
     Ok(())
 }
 
 /// A path without steps that lead nowhere: "./a//b.png" is "a/b.png", and so is "c/../a/b.png".
-fn plain(path: &str) -> PathBuf {
+pub(super) fn plain(path: &str) -> PathBuf {
     let mut plain = PathBuf::new();
     for step in Path::new(path).components() {
         match step {

@@ -19,6 +19,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Clock;
+use super::checkpoint::Piece;
+use super::sequence::plain;
 
 /// Files to write while processes run.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -77,6 +79,25 @@ impl Watch {
         all.into_iter().filter_map(|(key, path)| Some((key, path.as_deref()?)))
     }
 
+    /// Path of a frame, numbered from 1.
+    pub(super) fn frame(&self, number: usize) -> Option<String> {
+        let path = self.frames.as_deref()?;
+        // That it ends with .png, large or small, was checked.
+        Some(format!("{}_{number:04}.png", path.get(..path.len().checked_sub(".png".len())?)?))
+    }
+
+    /// Files that are written, of the frames the first.
+    pub(super) fn outputs(&self) -> impl Iterator<Item = String> {
+        self.table.iter().chain(&self.animation).cloned().chain(self.frame(1))
+    }
+
+    /// Whether a file may be one of the frames.
+    pub(super) fn is_frame(&self, path: &str) -> bool {
+        let number = path.rsplit_once('_').and_then(|(_, end)| end.strip_suffix(".png")?.parse().ok());
+        let number = number.filter(|number| (1..=MOST_FRAMES).contains(number));
+        number.and_then(|number| self.frame(number)).is_some_and(|frame| plain(&frame) == plain(path))
+    }
+
     pub(super) fn check(&self) -> Result<()> {
         for (key, path) in self.paths() {
             file_path(path)
@@ -132,6 +153,8 @@ pub(super) struct Watcher<'a> {
     watch: &'a Watch,
     rows: String,
     frames: Vec<Picture>,
+    /// Bytes of rows and number of frames that a checkpoint holds.
+    kept: (usize, usize),
     /// Whether steps have no length in time.
     timeless: bool,
     started: std::time::Instant,
@@ -143,7 +166,7 @@ impl<'a> Watcher<'a> {
         let rows = format!(
             "step,time_yr,dt_yr,lakes,min_m,mean_m,max_m,residual,supplied_m3,eroded_m3,deposited_m3,exported_m3{seconds}\n"
         );
-        Self { watch, rows, frames: Vec::new(), timeless, started: std::time::Instant::now() }
+        Self { watch, kept: (rows.len(), 0), rows, frames: Vec::new(), timeless, started: std::time::Instant::now() }
     }
 
     pub(super) fn look<T: Surface>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
@@ -162,6 +185,23 @@ impl<'a> Watcher<'a> {
             self.frames.push(frame);
         }
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Rows and pictures that no checkpoint holds yet.
+    pub(super) fn since_last(&self) -> (&str, &[Picture]) {
+        (&self.rows[self.kept.0..], &self.frames[self.kept.1..])
+    }
+
+    /// All rows and pictures so far are in a checkpoint.
+    pub(super) fn is_kept(&mut self) {
+        self.kept = (self.rows.len(), self.frames.len());
+    }
+
+    /// Takes back rows and pictures from a checkpoint.
+    pub(super) fn recall(&mut self, piece: Piece) {
+        self.rows += &piece.rows;
+        self.frames.extend(piece.frames.into_owned());
+        self.is_kept();
     }
 
     /// The clock as pictures show it.
@@ -205,10 +245,9 @@ impl<'a> Watcher<'a> {
         if let Some(path) = &self.watch.table {
             out.put(path, self.rows.as_bytes())?;
         }
-        if let Some(path) = &self.watch.frames {
-            let stem = &path[..path.len() - ".png".len()];
-            for (k, frame) in self.frames.iter().enumerate() {
-                out.put(&format!("{stem}_{:04}.png", k + 1), &encode_png(&frame.pixels, frame.shape)?)?;
+        for (k, frame) in self.frames.iter().enumerate() {
+            if let Some(path) = self.watch.frame(k + 1) {
+                out.put(&path, &encode_png(&frame.pixels, frame.shape)?)?;
             }
         }
         if self.frames.is_empty() && (self.watch.animation.is_some() || self.watch.frames.is_some()) {

@@ -4,10 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use landform_core::sim::{pack, unpack};
+use landform_core::sim::{pack, undamaged, unpack};
 use landform_core::verb::Event;
 use landform_core::{Error, Result};
-use landform_io::files::{read_whole, write_whole};
+use landform_io::files::{read_whole, sweep, write_whole};
 
 use crate::recipe::AnyTerrain;
 
@@ -55,6 +55,14 @@ impl Disk {
 
     pub(super) fn has(&self, key: &str) -> bool {
         self.path(key).is_file() && self.event_path(key).is_file()
+    }
+
+    /// Refuses a key whose files are not whole.
+    pub(super) fn check(&self, key: &str) -> Result<()> {
+        for path in [self.event_path(key), self.path(key)] {
+            undamaged(&read_whole(&path)?)?;
+        }
+        Ok(())
     }
 
     /// What made the terrain of a key.
@@ -118,6 +126,7 @@ impl Disk {
 
     /// Removes everything; returns how many bytes became free.
     pub(super) fn clear(&self) -> Result<u64> {
+        sweep(&self.folder);
         let kept = self.files()?;
         for item in &kept {
             let path = self.path(&item.key);
@@ -128,8 +137,9 @@ impl Disk {
     }
 
     /// Removes the least recently used terrains beyond the limit; returns how many bytes became free. Files that cannot be
-    /// removed are left.
+    /// removed are left. What killed processes left unfinished goes, too.
     pub(super) fn trim(&self) -> u64 {
+        sweep(&self.folder);
         let mut kept = self.files().unwrap_or_default();
         let mut total: u64 = kept.iter().map(|item| item.bytes).sum();
         let mut freed = 0;

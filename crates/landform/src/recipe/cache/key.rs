@@ -31,7 +31,16 @@ pub(in crate::recipe) fn key(before: &[&str], entry: &Entry, folder: &Path, salt
             hash.update(Sha256::digest(content));
         }
     }
-    hash.finalize().iter().map(|b| format!("{b:02x}")).take(16).collect()
+    hex(&hash.finalize(), 16)
+}
+
+/// A few digits that tell texts apart.
+pub(in crate::recipe) fn short_hash(text: &str) -> String {
+    hex(&Sha256::digest(text), 8)
+}
+
+fn hex(bytes: &[u8], most: usize) -> String {
+    bytes.iter().map(|b| format!("{b:02x}")).take(most).collect()
 }
 
 /// Files that parameters name: keys that are inputs, and maps in values that vary, however deep.

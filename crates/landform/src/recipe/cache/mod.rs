@@ -11,10 +11,10 @@ use landform_core::terrain::bytes_a_node;
 use landform_core::verb::Event;
 use landform_core::{Error, Result};
 
-use super::AnyTerrain;
+use super::{AnyTerrain, PlannedStage};
 use disk::Disk;
 pub use disk::Kept;
-pub(super) use key::{input_paths, key};
+pub(super) use key::{input_paths, key, short_hash};
 
 /// Terrains after each stage, kept between runs. The least recently used terrains are removed first, in memory and on disk.
 ///
@@ -94,6 +94,17 @@ impl Cache {
 
     pub(super) fn has(&self, key: &str) -> bool {
         self.memory.find(&key.to_string()).is_some() || self.disk.as_ref().is_some_and(|disk| disk.has(key))
+    }
+
+    /// Reads what is kept of a planned stage, and refuses it where it is not whole. A run would make it again.
+    ///
+    /// # Errors
+    /// [`Error::Io`] or [`Error::Format`].
+    pub fn check(&self, stage: &PlannedStage) -> Result<()> {
+        match (self.memory.find(&stage.key), &self.disk) {
+            (None, Some(disk)) => disk.check(&stage.key),
+            _ => Ok(()),
+        }
     }
 
     /// What made the terrain of a key.

@@ -1,0 +1,141 @@
+//! Running processes on their clock, with what is told, seen and kept on the way.
+
+use std::ops::ControlFlow;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use landform_core::Result;
+use landform_core::random::Seed;
+use landform_core::sim::{Every, Model, Simulation, Stop, View};
+use landform_core::terrain::{AnyTerrain, Surface, Terrain, Visit};
+use landform_core::verb::{Outcome, Output, Stopped};
+
+use super::checkpoint::Checkpoint;
+use super::entry::Evolve;
+use super::watch::{Watch, Watcher};
+use super::{Options, Progress, Recipe, Signal};
+
+/// Runs processes on a terrain of any kind; none if the run was interrupted.
+pub(super) struct Evolving<'a, 'b> {
+    pub(super) recipe: &'a Recipe,
+    pub(super) options: &'a Options<'b>,
+    pub(super) evolve: &'a Evolve,
+    /// What is watched in this run.
+    pub(super) watch: Option<&'a Watch>,
+    pub(super) seed: Seed,
+    /// Where the state is kept.
+    pub(super) checkpoint: Option<Checkpoint<'a>>,
+    pub(super) out: &'a mut dyn Output,
+}
+
+impl Visit for Evolving<'_, '_> {
+    type Out = Result<Option<(AnyTerrain, Outcome)>>;
+
+    fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
+        let clock = &self.evolve.clock;
+        let model = self.model(terrain)?;
+        let resume = self.options.resume && self.checkpoint.as_ref().is_some_and(Checkpoint::is_there);
+        let saves = self.checkpoint.is_some();
+        let watcher = self.watch.map(|watch| Watcher::new(watch, clock.timeless));
+        let beside = Mutex::new(Beside { watcher, checkpoint: self.checkpoint });
+        let mut simulation = Simulation::of(model).until(clock.stop()).refine(clock.refine);
+        simulation = simulation.observe(Every::Steps(1), steps(clock.stop(), self.options.progress));
+        match (self.watch, self.evolve.watch.as_ref().map(Watch::interval)) {
+            (Some(watch), _) => simulation = simulation.observe(watch.interval(), |view| open(&beside).look(view)),
+            // Without an observer steps are as long as with one.
+            (None, Some(every @ Every::Time(_))) => {
+                simulation = simulation.observe(every, |_| Ok(ControlFlow::Continue(())));
+            }
+            _ => {}
+        }
+        if saves {
+            simulation = simulation.save_every(self.options.checkpoint_every, |model| open(&beside).save(model));
+        }
+        if resume {
+            simulation = open(&beside).resume(simulation)?;
+        }
+        let outcome = simulation.run()?;
+        if outcome.stopped == Stopped::Cancelled {
+            open(&beside).save(simulation.model())?;
+            return Ok(None);
+        }
+        let terrain = simulation.into_terrain().wrap();
+        let watcher = open(&beside).watcher.take();
+        if let Some(note) = watcher.map(|watcher| watcher.finish(self.out)).transpose()?.flatten() {
+            (self.options.progress)(Signal::Note(note.into()));
+        }
+        Ok(Some((terrain, outcome)))
+    }
+}
+
+impl Evolving<'_, '_> {
+    fn model<T: Surface>(&self, terrain: &T) -> Result<Model<T>> {
+        let mut model = Model::new(terrain.clone());
+        for part in &self.evolve.parts {
+            part.add_to(T::KIND, &mut model)?;
+        }
+        Ok(model
+            .dt(self.evolve.clock.step())
+            .seed(self.seed)
+            .maps(self.recipe.maps.clone())
+            .environment(self.recipe.environment.clone())
+            .cancel(self.options.cancel.clone()))
+    }
+}
+
+/// What looks at a run, and what keeps its state.
+struct Beside<'a> {
+    watcher: Option<Watcher<'a>>,
+    checkpoint: Option<Checkpoint<'a>>,
+}
+
+impl Beside<'_> {
+    fn look<T: Surface>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
+        self.watcher.as_mut().map_or(Ok(ControlFlow::Continue(())), |watcher| watcher.look(view))
+    }
+
+    fn save<T: Terrain>(&mut self, model: &Model<T>) -> Result<()> {
+        self.checkpoint.as_mut().map_or(Ok(()), |checkpoint| checkpoint.save(model, self.watcher.as_mut()))
+    }
+
+    fn resume<'s, T: Terrain>(&mut self, simulation: Simulation<'s, T>) -> Result<Simulation<'s, T>> {
+        match &mut self.checkpoint {
+            Some(checkpoint) => checkpoint.resume(simulation, self.watcher.as_mut()),
+            None => Ok(simulation),
+        }
+    }
+}
+
+/// A lock that a panic elsewhere does not close: rows and pictures are whole at any time.
+fn open<'m, 'a>(beside: &'m Mutex<Beside<'a>>) -> MutexGuard<'m, Beside<'a>> {
+    beside.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Tells of every step.
+fn steps<'p, T: Surface>(
+    stop: Stop,
+    progress: &'p Progress<'p>,
+) -> impl FnMut(&View<T>) -> Result<ControlFlow<()>> + Send + 'p {
+    let mut first_residual = None;
+    move |view| {
+        let part = part_done(stop, view, &mut first_residual);
+        progress(Signal::Step { steps: view.steps, time: view.time, part, residual: view.residual });
+        Ok(ControlFlow::Continue(()))
+    }
+}
+
+/// The part of a run that is done, as far as it is known when it ends.
+fn part_done<T>(stop: Stop, view: &View<T>, first_residual: &mut Option<f64>) -> Option<f64> {
+    let part = match (stop.time, stop.steady, view.residual) {
+        (Some(end), ..) => Some(view.time / end),
+        (None, Some(tolerance), Some(residual)) => {
+            let first = *first_residual.get_or_insert(residual);
+            let gone = |r: f64| landform_core::math::log(r.max(tolerance) / tolerance);
+            Some(1.0 - gone(residual) / gone(first).max(1e-9))
+        }
+        _ => None,
+    };
+    match stop.steps {
+        Some(most) => Some(part.unwrap_or(0.0).max(view.steps as f64 / most as f64)),
+        None => part,
+    }
+}
