@@ -149,6 +149,7 @@ fn outcome_line(o: &Outcome, timeless: bool) -> String {
         Stopped::Cancelled => "cancelled",
         Stopped::ByObserver => "stopped",
         Stopped::AtRest => "at rest",
+        Stopped::AtRestTooSoon => "at rest before the end that was asked for",
     };
     let residual = o.residual.map(|r| format!(", residual {r:.2e}")).unwrap_or_default();
     let exported = o.budget.change.exported;

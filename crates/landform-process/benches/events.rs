@@ -70,7 +70,8 @@ fn runs(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("runs");
     group.sample_size(10);
     group.bench_function("Werner 512, 100 rounds", |b| {
-        let dunes = Dunes { sand: Length::of(3.25).into(), hop: Length::of(5.0), refinements: 0, ..Dunes::default() };
+        let dunes =
+            Dunes { sand: Length::of(3.25).into(), hop: Some(Length::of(5.0)), refinements: 0, ..Dunes::default() };
         b.iter(|| {
             let simulation = Simulation::new(flat(512, 1.0, 0.0)).process(dunes.clone()).unwrap();
             simulation.dt(1e12).until(Stop::steps(100)).run().unwrap()

@@ -65,17 +65,17 @@ pub(super) const PYTEL_COASTS: Page = Page {
     file: "coasts.md",
     head: "# Pytel's thesis, section 4.2 and appendix B.1: coasts, reproduced
 
-Written by `cargo xtask reproduce pytel-coasts`. Sites are 15 m wide, so that the thesis' radii are 10 to 17 sites and its R_a is 1.7 sites. Damping is the thesis'; forces are above its 0.44 to 0.50, because here
-one exposed side does not weaken a site (Sapoval's rule: R, R squared, 0); the thesis weakens in proportion to the missing neighbours. A local perimeter is measured against 2 R, which the thesis leaves open. *D* is the dimension of all shores by boxes. Seconds are of whole recipes, pictures
+Written by `cargo xtask reproduce pytel-coasts`. Sites are 15 m wide. Force, damping and exposure (a site is weaker in proportion to the neighbours that it lacks, 4.2.1) are the thesis'. Its radii are read as sites: so its forces leave an
+island, a smaller radius erodes more, and its run times grow as discs do. It does not say what a local perimeter is measured against (here 2 R). *D* is the dimension of all shores by boxes. Seconds are of whole recipes, pictures
 included, on one thread of the machine that wrote the page, one run; the thesis' are 195 to 308 s a coast (contiguous), 1,444 to 3,724 s (all), 78 s (figure 4.7).
 
 ",
     figures: &[
         Figure { title: "Figure 4.4 and table 4.3: the global perimeter", recipe: "coasts_global", pictures: &["global_a", "global_b", "global_c", "global_d"], measures: &["global_a", "global_b", "global_c", "global_d"], what: "g = 0.18, 0.15, 0.13, 0.11." },
         Figure { title: "The same, pruned", recipe: "coasts_global", pictures: &["pruned_a", "pruned_b", "pruned_c", "pruned_d"], measures: &[], what: "Islands with a coast under 24 sites are gone." },
-        Figure { title: "Figure 4.5 and table 4.4: the local perimeter of the same shore", recipe: "coasts_local", pictures: &["contiguous_150", "contiguous_200", "contiguous_250"], measures: &["contiguous_150", "contiguous_200", "contiguous_250"], what: "R_p = 150, 200, 250 m, g = 0.20." },
-        Figure { title: "The local perimeter of all shores", recipe: "coasts_local", pictures: &["all_150", "all_200", "all_250"], measures: &["all_150", "all_200", "all_250"], what: "R_p = 150, 200, 250 m, g = 0.15. Small islands stay near the shore." },
-        Figure { title: "Figure 4.6 and table 4.5: more avalanching", recipe: "coasts_weakened", pictures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], measures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], what: "a = 0, 0.05, 0.10, 0.175 with R_a = 25 m, k = 1. In the mean of eight seeds coasts get shorter with a (Spearman -1 over the six amounts, by 2 %); one seed does not show it, and the thesis' figure shows much more." },
+        Figure { title: "Figure 4.5 and table 4.4: the local perimeter of the same shore", recipe: "coasts_local", pictures: &["contiguous_150", "contiguous_200", "contiguous_250"], measures: &["contiguous_150", "contiguous_200", "contiguous_250"], what: "R_p = 150, 200, 250 sites, g = 0.20." },
+        Figure { title: "The local perimeter of all shores", recipe: "coasts_local", pictures: &["all_150", "all_200", "all_250"], measures: &["all_150", "all_200", "all_250"], what: "R_p = 150, 200, 250 sites, g = 0.15. Small islands stay near the shore." },
+        Figure { title: "Figure 4.6 and table 4.5: more avalanching", recipe: "coasts_weakened", pictures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], measures: &["weakened_0", "weakened_05", "weakened_1", "weakened_175"], what: "a = 0, 0.05, 0.10, 0.175 with R_a = 4 sites, k = 0.05, R_p = 10 sites. With the thesis' k = 1 a site falls within three rounds, and weakening has no time to matter; its R_a = 25 is too little in metres and far too much in sites. A little weakening breaks the coast up; more makes it a fifth shorter." },
         Figure { title: "Figure 4.7: mixed", recipe: "mixed_coast", pictures: &["mixed"], measures: &["mixed"], what: "Force and damping differ by side." },
         Figure { title: "Figure 4.8: the interior of an island", recipe: "island_interior", pictures: &["nearest", "hermite"], measures: &[], what: "Level sets by nearest and by Hermite's interpolation. Islets that resist long become needles." },
         Figure { title: "Figures B.4 and B.6, table B.1: sectors", recipe: "sector_coasts", pictures: &["from_square", "from_disc"], measures: &["from_square", "from_disc"], what: "512 x 512 sites, 4 x 4 sectors." },
@@ -90,7 +90,8 @@ pub(super) const KOH_DUNES: Page = Page {
     head: "# Koh's thesis, section 5.2: dunes by an automaton, reproduced
 
 Written by `cargo xtask reproduce koh-dunes`. The thesis has pictures and no numbers. What it leaves open was chosen so that 300 rounds from level sand leave its \"parallel striations\": wind loses its strength behind drops and
-wins it back within 10 m, slabs are a tenth of a cell, sand slips at 33 degrees. Spacing and height go on growing: 20, 23, 29 and 50 m apart after 300, 600, 1,200 and 2,400 rounds, 0.6 to 4.8 m high. The thesis finds both kept.
+wins it back within 10 m, slabs are a tenth of a cell, sand slips at 33 degrees. Sand is held where its cell stands too steeply above one of the three to windward, as the thesis says; that is what ends the growth of dunes.
+In the tests spacing and height keep from 300 to 1,200 rounds, as in the thesis. Any wind is allowed: the three cells become places across it, so that crests do not follow the lattice.
 
 ",
     figures: &[

@@ -187,6 +187,11 @@ impl<T: Terrain> Model<T> {
         !self.processes.is_empty() && self.processes.iter().all(|p| p.is_at_rest(&self.terrain))
     }
 
+    /// Whether a process has not reached the end that its parameters ask for.
+    pub fn is_short_of_an_end(&self) -> bool {
+        self.processes.iter().any(|p| p.is_short_of_its_end(&self.terrain))
+    }
+
     /// Starts the processes, if they have not started; the first step does so too.
     ///
     /// # Errors

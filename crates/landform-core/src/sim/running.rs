@@ -10,6 +10,7 @@ pub(super) trait Running<T: Terrain>: Send {
     fn start(&mut self, terrain: &mut T, context: &Context) -> Result<()>;
     fn reconcile(&mut self, terrain: &mut T, context: &Context) -> Result<()>;
     fn is_at_rest(&self, terrain: &T) -> bool;
+    fn is_short_of_its_end(&self, terrain: &T) -> bool;
     fn max_step(&self, terrain: &T) -> Option<f64>;
     fn begin(&mut self, terrain: &T, at: &Step) -> Result<()>;
     fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change>;
@@ -43,6 +44,10 @@ impl<T: Terrain, P: Process<T>> Running<T> for Run<P, P::State> {
 
     fn is_at_rest(&self, terrain: &T) -> bool {
         self.state.as_ref().is_some_and(|s| self.params.is_at_rest(terrain, s))
+    }
+
+    fn is_short_of_its_end(&self, terrain: &T) -> bool {
+        self.state.as_ref().is_some_and(|s| self.params.is_short_of_its_end(terrain, s))
     }
 
     fn max_step(&self, terrain: &T) -> Option<f64> {

@@ -257,7 +257,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         } else if self.stop.steady.zip(clock.residual).is_some_and(|(tolerance, r)| r <= tolerance) {
             Some(Stopped::Steady)
         } else if clock.started && self.model.is_at_rest() {
-            Some(Stopped::AtRest)
+            Some(if self.model.is_short_of_an_end() { Stopped::AtRestTooSoon } else { Stopped::AtRest })
         } else if self.steps_are_used_up(clock.steps) {
             Some(Stopped::MaxSteps)
         } else if self.model.cancel.is_cancelled() {

@@ -157,6 +157,11 @@ pub trait Process<T: Terrain>: Params {
         false
     }
 
+    /// Whether the end that its parameters ask for is not reached: told of a process that came to rest before it.
+    fn is_short_of_its_end(&self, _terrain: &T, _state: &Self::State) -> bool {
+        false
+    }
+
     /// The longest step that may be taken, s; none if any.
     fn max_step(&self, _terrain: &T, _state: &Self::State) -> Option<f64> {
         None

@@ -19,6 +19,8 @@ pub enum Stopped {
     ByObserver,
     /// No process had anything left to do.
     AtRest,
+    /// No process had anything left to do, but one had not reached the end that its parameters ask for.
+    AtRestTooSoon,
 }
 
 /// Volumes moved in a run, m³.

@@ -36,7 +36,7 @@ const FRESH: f64 = 0.5;
 impl Water {
     /// Water of this depth, at rest.
     pub(super) fn new(params: &ChannelErosion, depth: Vec<f64>, spacing: [f64; 2]) -> Self {
-        let pipes = Pipes::new(depth.len(), spacing, params.roughness.si());
+        let pipes = Pipes::new(depth.len(), spacing, params.roughness());
         Self {
             flow: vec![0.0; depth.len()],
             pipes: (params.transport == Transport::Pipes).then_some(pipes),
@@ -111,14 +111,14 @@ impl Water {
         let sum = parallel::sum(rate.len(), |i| rate[i]);
         let wet = parallel::sum(rate.len(), |i| f64::from(u8::from(!ground[i].is_nan())));
         // Wherever rain falls, the storm brings as much water in all as if it fell everywhere.
-        let faster = params.storm.si() * wet / sum;
+        let faster = params.storm() * wet / sum;
         let depth = parallel::map(rate.len(), |i| rate[i] * faster);
         let supply = Supply { depth: &depth, total: sum * faster, evaporation: params.evaporation.si(), sinks };
         let is_end = |i: &usize| status[*i] == Status::BaseLevel || sinks.get(*i).copied().unwrap_or(false);
         let ends: Vec<u32> = (0..status.len()).filter(is_end).map(|i| i as u32).collect();
         let mut ledger = Ledger { before: parallel::sum(ground.len(), |i| self.depth[i]), ..Ledger::default() };
         pipes.begin_sums();
-        for _ in 0..params.pipe_steps {
+        for _ in 0..params.pipe_steps() {
             let dt = pipes.max_step(&self.depth).min(60.0);
             let part = pipes.step(domain, ground, (&supply, &ends), dt, &mut self.depth);
             ledger.entered += part.entered;

@@ -124,15 +124,15 @@ pub struct ChannelErosion {
     #[schemars(extend("x-above" = 0.0))]
     pub settling_length: Option<Length>,
     /// Pipes only: rain of the flood that erodes, as if it fell everywhere. `rainfall`, springs and inflow then give only the
-    /// share of each place.
+    /// share of each place. If not given, it is 30 mm/h.
     #[schemars(extend("x-above" = 0.0))]
-    pub storm: Rate,
-    /// Pipes only: steps of water between rounds of erosion.
+    pub storm: Option<Rate>,
+    /// Pipes only: steps of water between rounds of erosion. If not given, they are 20.
     #[schemars(extend("x-min" = 1, "x-max" = 100_000))]
-    pub pipe_steps: u32,
-    /// Pipes only: Manning's roughness.
+    pub pipe_steps: Option<u32>,
+    /// Pipes only: Manning's roughness. If not given, it is 0.04.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
-    pub roughness: Ratio,
+    pub roughness: Option<Ratio>,
 }
 
 impl Default for ChannelErosion {
@@ -160,10 +160,40 @@ impl Default for ChannelErosion {
             river_depth: Length::of(2.0),
             graded_slope: None,
             settling_length: None,
-            storm: Rate::from_si(0.03 / 3600.0),
-            pipe_steps: 20,
-            roughness: Ratio::of(0.04),
+            storm: None,
+            pipe_steps: None,
+            roughness: None,
         }
+    }
+}
+
+impl ChannelErosion {
+    /// Refuses options of pipes without pipes.
+    fn check_pipes(&self) -> Result<()> {
+        let given = [
+            ("storm", self.storm.is_some()),
+            ("pipe_steps", self.pipe_steps.is_some()),
+            ("roughness", self.roughness.is_some()),
+        ];
+        match given.into_iter().find(|(_, is_given)| *is_given && self.transport != Transport::Pipes) {
+            Some((name, _)) => Err(Error::parameter(name, "given alone", "together with transport = \"pipes\"")),
+            None => Ok(()),
+        }
+    }
+
+    /// Rain of the flood that erodes, m/s.
+    pub(super) fn storm(&self) -> f64 {
+        self.storm.map_or(0.03 / 3600.0, Rate::si)
+    }
+
+    /// Steps of water between rounds.
+    pub(super) fn pipe_steps(&self) -> u32 {
+        self.pipe_steps.unwrap_or(20)
+    }
+
+    /// Manning's roughness.
+    pub(super) fn roughness(&self) -> f64 {
+        self.roughness.map_or(0.04, Ratio::si)
     }
 }
 
@@ -207,6 +237,7 @@ impl Params for ChannelErosion {
         if self.settling_length.is_some() && self.graded_slope.is_none() {
             return Err(Error::parameter("settling_length", "given alone", "together with graded_slope"));
         }
+        self.check_pipes()?;
         if self.springs.iter().any(|s| !(s.discharge.si() > 0.0)) {
             return Err(Error::parameter("springs", "without water", "a discharge > 0 m3/s"));
         }

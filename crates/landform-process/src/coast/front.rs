@@ -87,19 +87,39 @@ impl Front {
         near + self.edges.open_sides_at(self.shape, site) as u8
     }
 
-    /// Makes a land site part of the coast if the sea reaches it.
+    /// Makes a land site part of the coast if the sea reaches it, and only then.
     fn look(&mut self, site: usize) {
-        if !self.land[site] {
-            return;
-        }
-        let sides = self.sides(site);
+        let sides = if self.land[site] { self.sides(site) } else { 0 };
         match self.coast.at_mut(site) {
+            _ if sides == 0 => {
+                self.coast.leave(site);
+            }
             Some(known) => *known = sides,
-            None if sides > 0 => {
+            None => {
                 self.coast.join(site, sides);
             }
-            None => {}
         }
+    }
+
+    /// Takes over which sites are land, after others moved ground or sea; returns those that changed.
+    pub(super) fn take_over(&mut self, land: Vec<bool>) -> Vec<usize> {
+        let changed: Vec<usize> = (0..land.len()).filter(|&i| land[i] != self.land[i]).collect();
+        self.land = land;
+        for &site in &changed {
+            self.look(site);
+            self.near(site).into_iter().flatten().for_each(|n| self.look(n));
+        }
+        changed
+    }
+
+    fn near(&self, site: usize) -> [Option<usize>; 4] {
+        let mut it = self.sites.neighbours(site).map(|n| n.to);
+        std::array::from_fn(|_| it.next())
+    }
+
+    /// Whether land under a level lies beside any of these sites.
+    pub(super) fn opens_lows(&self, sites: &[usize], z: &[f64], level: f64) -> bool {
+        sites.iter().flat_map(|&site| self.near(site)).flatten().any(|n| self.land[n] && z[n] <= level)
     }
 
     /// Whether no land is reached.
@@ -117,7 +137,7 @@ impl Front {
         let material = self.material[site].max(0.0);
         match (self.exposure, sides) {
             (Exposure::None, _) => material,
-            (Exposure::Proportional, s) => material * f64::from(4 - s.min(4)) / 3.0,
+            (Exposure::Proportional, s) => material * f64::from(4 - s.min(4)) / 4.0,
             (Exposure::Squared, 1) => material,
             (Exposure::Squared, 2) => material * material,
             (Exposure::Squared, _) => 0.0,
@@ -164,11 +184,7 @@ impl Front {
             self.coast.leave(site);
         }
         for &site in sites {
-            let near: [Option<usize>; 4] = {
-                let mut it = self.sites.neighbours(site).map(|n| n.to);
-                std::array::from_fn(|_| it.next())
-            };
-            near.into_iter().flatten().for_each(|n| self.look(n));
+            self.near(site).into_iter().flatten().for_each(|n| self.look(n));
             let amount = self.event * (drive.weakening)(site);
             if let Some(stencil) = &self.stencil
                 && amount > 0.0

@@ -71,7 +71,7 @@ impl Default for FrontTerrain {
             relief: Length::of(300.0),
             interpolation: LevelInterpolation::Variational,
             spacing: None,
-            force: Ratio::of(0.3),
+            force: Ratio::of(0.225),
             damping: Ratio::of(0.15),
             perimeter: Perimeter::Whole(Whole::Global),
             exposure: Exposure::Proportional,

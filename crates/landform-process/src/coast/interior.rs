@@ -49,7 +49,7 @@ pub struct IslandInterior {
 impl Default for IslandInterior {
     fn default() -> Self {
         Self {
-            force: Ratio::of(0.3),
+            force: Ratio::of(0.225),
             damping: Ratio::of(0.15),
             perimeter: Perimeter::Whole(Whole::Global),
             exposure: Exposure::Proportional,

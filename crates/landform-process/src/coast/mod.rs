@@ -8,19 +8,21 @@
 //!
 //! # Method
 //! The coast is a group of agents; a round costs as much as the coast is long, and with a local perimeter its length times the
-//! radius.
+//! radius. Where other processes on the same clock moved the ground, or the level of the sea changed, the sea floods anew before
+//! the round: what rose from it has all its resistance again.
 //!
 //! # Limits
-//! Rounds have no length in time. All land that falls gets the same depth. Land and sea are separated at the start: land that
-//! other processes on the same clock raise or drown is not examined again, so put the stages after one another. Without weakening
-//! the model has no scale: the depth of its bays is a number of cells, not of metres.
+//! Rounds have no length in time. All land that falls gets the same depth. Without weakening the model has no scale: the depth of
+//! its bays is a number of cells, not of metres.
 //!
 //! # Sources
 //! Sapoval, Baldassarri & Gabrielli (2004); Pytel (2015), 2.3.3, 4.2, 4.3.4 and B.1, whose radii are read as metres on sites 15 m
-//! apart (radii of 150 to 250 sites do not fit his run times). L in Eq. 4.2 is taken over 2 R: see `perimeter.rs`.
+//! apart (radii of 150 to 250 sites do not fit his run times). Weakening in proportion to the missing neighbours is 4.2.1. L in
+//! Eq. 4.2 is taken over 2 R: see `perimeter.rs`. With that the forces of tables 4.3 and 4.4 work as printed.
 //!
 //! # Checked by
-//! `tests`: fractal dimension, width and final force of percolation fronts, global as the limit of local, rest, sea, weakening.
+//! `tests`: tables 4.3 and 4.4 as printed, fractal dimension, width and final force of percolation fronts, global as the limit of local, rest, sea, weakening,
+//! ground that moves beside it.
 //!
 //! # Example
 //! A sea that is stronger than any rock takes one ring of sites in each round:
@@ -43,6 +45,7 @@
 
 mod front;
 mod front_terrain;
+mod ground;
 mod heights;
 mod interior;
 mod levels;
@@ -53,6 +56,7 @@ mod prune;
 mod tests;
 
 use landform_core::field::names;
+use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::YEAR;
 use landform_core::verb::{Change, Context, Environment, OwnClock, Process, Resolved, Step};
@@ -61,6 +65,7 @@ use serde::{Deserialize, Serialize};
 
 use front::{Drive, Front, flood};
 pub use front_terrain::FrontTerrain;
+use ground::{fingerprint, print_of};
 pub use heights::LevelInterpolation;
 pub use interior::IslandInterior;
 pub use params::{CoastErosion, Exposure, Perimeter, Search, Stable, Until, Weakening, Whole};
@@ -78,6 +83,8 @@ landform_core::stages! {
 /// Land, what is left of its resistance, and parameters on the nodes.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
+    /// Fingerprint of the ground as it was left.
+    ground: u64,
     land: Vec<bool>,
     material: Vec<f64>,
     age: Vec<u32>,
@@ -87,6 +94,9 @@ pub struct State {
     rests: bool,
     /// Sea level, m.
     sea_level: f64,
+    /// Resistance of the rock, and the seed of its unevenness.
+    rock: Resolved,
+    seed: Seed,
     force: Resolved,
     damping: Resolved,
     wear: Resolved,
@@ -99,6 +109,48 @@ impl CoastErosion {
     fn front(&self, terrain: &HeightField, land: Vec<bool>, material: Vec<f64>, length: Option<f64>) -> Result<Front> {
         let radius = self.weakening.map(|w| w.radius.si());
         Front::new(terrain.grid(), land, material, (self.exposure, self.perimeter), radius, length)
+    }
+
+    /// The front as it was left. Land and material move between the state, which a checkpoint holds, and the front, which it does
+    /// not.
+    fn resume(&self, terrain: &HeightField, state: &mut State) -> Result<Front> {
+        let (land, material) = (std::mem::take(&mut state.land), std::mem::take(&mut state.material));
+        match state.front.take() {
+            Some(mut front) => {
+                (front.land, front.material) = (land, material);
+                Ok(front)
+            }
+            None => self.front(terrain, land, material, Some(state.start_length)),
+        }
+    }
+}
+
+/// Sites above the sea, or cut off from it.
+fn land_above(terrain: &HeightField, level: f64) -> Result<Vec<bool>> {
+    let z = terrain.elevation();
+    let sea = flood(terrain.grid(), z, level)?;
+    Ok((0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect())
+}
+
+impl State {
+    /// What is left of a site's resistance before the sea came.
+    fn fresh(&self, site: usize) -> f64 {
+        self.rock.at(site) * self.seed.uniform(site as u64)
+    }
+
+    /// Floods anew: land that rose from the sea has all its resistance, land that sank is sea.
+    fn flood(&mut self, terrain: &HeightField, front: &mut Front, round: u32) -> Result<()> {
+        for site in front.take_over(land_above(terrain, self.sea_level)?) {
+            if front.land[site] {
+                front.material[site] = self.fresh(site);
+                self.left += 1;
+                self.age[site] = 0;
+            } else {
+                self.left = self.left.saturating_sub(1);
+                self.age[site] = round;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -114,32 +166,36 @@ impl Process<HeightField> for CoastErosion {
         if let Some(w) = self.weakening {
             within_map("weakening", w.radius, terrain.grid())?;
         }
-        let z = terrain.elevation();
+        let n = terrain.elevation().len();
         let level = context.environment.level_or(self.sea_level, context.time);
-        let sea = flood(terrain.grid(), z, level)?;
-        let land: Vec<bool> = (0..z.len()).map(|i| !sea[i] && !z[i].is_nan()).collect();
+        let land = land_above(terrain, level)?;
         let start_land = land.iter().filter(|l| **l).count();
         if start_land == 0 {
             return Err(Error::parameter("sea_level", format!("{level} m"), "a level that leaves land"));
         }
-        let rock = self.resistance.resolve("resistance", terrain, context)?;
-        let material = (0..z.len()).map(|i| rock.at(i) * context.seed.uniform(i as u64)).collect();
         let resolve = |v: &landform_core::verb::Varying<_>, name: &str| v.resolve(name, terrain, context);
         let mut state = State {
+            ground: fingerprint(terrain.elevation()),
             sea_level: level,
             land,
-            material,
-            age: vec![0; z.len()],
+            material: Vec::new(),
+            age: vec![0; n],
             start_length: 0.0,
             start_land,
             left: start_land,
             rests: false,
+            rock: resolve(&self.resistance, "resistance")?,
+            seed: context.seed,
             force: resolve(&self.force, "force")?,
             damping: resolve(&self.damping, "damping")?,
             wear: resolve(&self.wear, "wear")?,
-            weakening: resolve(&self.weakening_factor, "weakening_factor")?,
+            weakening: match &self.weakening_factor {
+                Some(factor) => resolve(factor, "weakening_factor")?,
+                None => Resolved::Uniform(1.0),
+            },
             front: None,
         };
+        state.material = (0..n).map(|i| state.fresh(i)).collect();
         if matches!(self.until, Until::Stable(_)) && state.wear.max() > 0.0 {
             return Err(Error::parameter(
                 "until",
@@ -157,52 +213,69 @@ impl Process<HeightField> for CoastErosion {
     }
 
     fn is_at_rest(&self, _: &HeightField, state: &State) -> bool {
-        let enough = match self.until {
-            Until::Stable(_) => false,
-            Until::Land { land } => state.left as f64 <= land * state.start_land as f64,
-        };
-        state.rests || enough
+        state.rests || matches!(self.until, Until::Land { .. }) && !self.falls_short(state)
+    }
+
+    fn is_short_of_its_end(&self, _: &HeightField, state: &State) -> bool {
+        self.falls_short(state)
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
-        // Land and material move between the state, which a checkpoint holds, and the front, which it does not.
-        let (land, material) = (std::mem::take(&mut state.land), std::mem::take(&mut state.material));
-        let mut front = match state.front.take() {
-            Some(mut front) => {
-                (front.land, front.material) = (land, material);
-                front
-            }
-            None => self.front(terrain, land, material, Some(state.start_length))?,
-        };
-        let amount = self.weakening.map_or(0.0, |w| w.amount);
-        let drive = Drive {
-            force: &|i| state.force.at(i),
-            damping: &|i| state.damping.at(i),
-            wear: &|i| state.wear.at(i),
-            weakening: &|i| amount * state.weakening.at(i),
-        };
-        let round = front.round(&drive);
-        state.left -= round.fallen.len();
-        state.rests = front.is_done() || round.fallen.is_empty() && state.wear.max() == 0.0;
-        let (floor, area) = (state.sea_level - self.depth.si(), terrain.grid().cell_area());
-        let mut eroded = 0.0;
-        for &site in &round.fallen {
-            state.age[site] = (at.index + 1).min(u64::from(u32::MAX)) as u32;
+        let mut front = self.resume(terrain, state)?;
+        let round_number = (at.index + 1).min(u64::from(u32::MAX)) as u32;
+        let level = at.environment.level_or(self.sea_level, at.time);
+        if level != state.sea_level || fingerprint(terrain.elevation()) != state.ground {
+            state.sea_level = level;
+            state.ground = fingerprint(terrain.elevation());
+            state.flood(terrain, &mut front, round_number)?;
         }
+        let fallen = self.round(state, &mut front);
+        state.left = state.left.saturating_sub(fallen.len());
+        fallen.iter().for_each(|&site| state.age[site] = round_number);
+        let (floor, mut eroded) = (level - self.depth.si(), 0.0);
         terrain.change(Layer::Surface("sediment"), |z| {
-            for &site in &round.fallen {
+            for &site in &fallen {
                 let new = z[site].min(floor);
+                let print = print_of(site, new).wrapping_sub(print_of(site, z[site]));
+                state.ground = state.ground.wrapping_add(print);
                 eroded += z[site] - new;
                 z[site] = new;
             }
         });
+        if front.opens_lows(&fallen, terrain.elevation(), level) {
+            state.flood(terrain, &mut front, round_number)?;
+        }
         state.land = std::mem::take(&mut front.land);
         state.material = std::mem::take(&mut front.material);
         state.front = Some(front);
-        Ok(Change { eroded: eroded * area, exported: eroded * area, ..Change::default() })
+        let eroded = eroded * terrain.grid().cell_area();
+        Ok(Change { eroded, exported: eroded, ..Change::default() })
     }
 
     fn finish(&self, terrain: &mut HeightField, state: &mut State, _: &Environment) -> Result<()> {
         terrain.fields_mut().insert(&names::SHORE_AGE, state.age.clone())
+    }
+}
+
+impl CoastErosion {
+    /// One round; returns the sites that fell.
+    fn round(&self, state: &mut State, front: &mut Front) -> Vec<usize> {
+        let amount = self.weakening.map_or(0.0, |w| w.amount);
+        let round = front.round(&Drive {
+            force: &|i| state.force.at(i),
+            damping: &|i| state.damping.at(i),
+            wear: &|i| state.wear.at(i),
+            weakening: &|i| amount * state.weakening.at(i),
+        });
+        state.rests = front.is_done() || round.fallen.is_empty() && state.wear.max() == 0.0;
+        round.fallen
+    }
+
+    /// Whether more land is left than was asked for.
+    fn falls_short(&self, state: &State) -> bool {
+        match self.until {
+            Until::Stable(_) => false,
+            Until::Land { land } => state.left as f64 > land * state.start_land as f64,
+        }
     }
 }

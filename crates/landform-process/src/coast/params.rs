@@ -56,9 +56,10 @@ pub enum Search {
 pub enum Exposure {
     /// It does not fall.
     None,
-    /// In proportion to the sides that still touch land.
+    /// In proportion to the sides that still touch land: one side leaves 3/4 of R, two 1/2, three 1/4, four 0 (Pytel 2015, 4.2.1).
     Proportional,
-    /// One side: R; two: R squared; three or four: 0 (Sapoval, Baldassarri & Gabrielli 2004).
+    /// One side: R; two: R squared; three or four: 0 (Sapoval, Baldassarri & Gabrielli 2004). The same coasts want a force that is
+    /// about 0.25 higher.
     #[default]
     Squared,
 }
@@ -67,7 +68,8 @@ pub enum Exposure {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Weakening {
-    /// Resistance that a site loses when a square of 0.6 radii beside it falls; less with distance.
+    /// Resistance that a site loses when a square of 0.6 radii beside it falls; less with distance. Resistances are from 0 to 1; on
+    /// cells much smaller than the radius more than 1 may be meant, since each weakens by its part of the square.
     pub amount: f64,
     /// Distance from which on a site loses nothing.
     pub radius: Length,
@@ -119,9 +121,9 @@ pub struct CoastErosion {
     /// Weakening of sites near one that falls: { amount, radius }. It makes coasts straighter. `weakening_factor` may vary its
     /// amount in space.
     pub weakening: Option<Weakening>,
-    /// Factor on the amount of weakening.
+    /// Factor on the amount of weakening; may vary in space. If not given, it is 1.
     #[schemars(extend("x-min" = 0.0))]
-    pub weakening_factor: Varying<RatioDimension>,
+    pub weakening_factor: Option<Varying<RatioDimension>>,
     /// Fraction k of the force that wears a site down in each round. With 0 a site keeps its resistance until the force exceeds
     /// it.
     #[schemars(extend("x-min" = 0.0))]
@@ -150,7 +152,7 @@ impl Default for CoastErosion {
             perimeter: Perimeter::Whole(Whole::Global),
             exposure: Exposure::Squared,
             weakening: None,
-            weakening_factor: Ratio::of(1.0).into(),
+            weakening_factor: None,
             wear: Varying::default(),
             resistance: Ratio::of(1.0).into(),
             until: Until::Stable(Stable::Stable),
@@ -192,13 +194,16 @@ impl Params for CoastErosion {
             _ => {}
         }
         if let Some(w) = self.weakening
-            && !(w.amount >= 0.0 && w.amount <= 1.0 && w.radius.si() > 0.0 && w.radius.si().is_finite())
+            && !(w.amount >= 0.0 && w.amount <= 1e6 && w.radius.si() > 0.0 && w.radius.si().is_finite())
         {
             return Err(Error::parameter(
                 "weakening",
                 format!("{} within {}", w.amount, w.radius),
-                "an amount from 0 to 1 and a radius above 0 m",
+                "an amount from 0 to 1e6 and a radius above 0 m",
             ));
+        }
+        if self.weakening_factor.is_some() && self.weakening.is_none() {
+            return Err(Error::parameter("weakening_factor", "given alone", "together with weakening"));
         }
         match self.until {
             Until::Land { land } if !(0.0..1.0).contains(&land) => {

@@ -100,7 +100,7 @@ impl Process<HeightField> for Dunes {
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
         if self.model == Model::Protection {
-            within_map("reach", self.reach, terrain.grid())?;
+            within_map("reach", self.reach(), terrain.grid())?;
         }
         let field = Field::lay(self, terrain, context)?;
         let protection = (self.model == Model::Protection).then(|| Protection::new(self, terrain.grid(), &field));
@@ -109,8 +109,8 @@ impl Process<HeightField> for Dunes {
         Ok(State { field, protection, seed: context.seed, scratch: Scratch::default() })
     }
 
-    fn max_step(&self, _: &HeightField, state: &State) -> Option<f64> {
-        Some(self.round(state.field.slab()))
+    fn max_step(&self, terrain: &HeightField, state: &State) -> Option<f64> {
+        Some(self.round(terrain.grid(), state.field.slab()))
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
@@ -119,13 +119,13 @@ impl Process<HeightField> for Dunes {
         let before: Vec<i32> = field.depths().collect();
         let rose = self.rose(&at.environment)?;
         let wind = rose.draw(seed.named("wind"), at.index / self.spell);
-        let part = (at.dt / self.round(field.slab())).min(1.0);
+        let part = (at.dt / self.round(terrain.grid(), field.slab())).min(1.0);
         // Finer slabs belong to the end of a run of known length.
         let is_own = at.of == Some(self.iterations + self.fine_rounds());
         field.sand.set_slab(self.slab_units(if is_own { at.index } else { 0 }));
         let swallowed = field.sand.swallowed() + field.left;
         match self.model {
-            Model::Koh => koh::round(self, terrain, field, &mut scratch.air, &rose, wind, part, at.seed),
+            Model::Koh => koh::round(self, terrain.grid(), field, &mut scratch.air, &rose, wind, part, at.seed),
             _ => slabs::round(self, terrain.grid(), field, protection.as_mut(), scratch, &rose, wind, part, at.seed),
         }
         let unit = field.unit * terrain.grid().cell_area();

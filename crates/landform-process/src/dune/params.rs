@@ -3,7 +3,7 @@
 use landform_core::grid::Grid;
 use landform_core::units::{Angle, Diffusivity, Length, LengthDimension};
 use landform_core::verb::{Environment, Params, Rose, Source, Varying, Wind};
-use landform_core::{Result, math};
+use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -16,8 +16,18 @@ pub enum Model {
     Werner,
     /// As `werner`, but sand protects a cone downwind of it instead of casting a shadow (Pytel 2015).
     Protection,
-    /// A wind slowed by rises carries sand to the lowest of three cells downwind (Koh 2002).
+    /// A wind slowed behind rises carries sand to the lowest of three places downwind (Koh 2002).
     Koh,
+}
+
+impl Model {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Werner => "werner",
+            Self::Protection => "protection",
+            Self::Koh => "koh",
+        }
+    }
 }
 
 /// How the sides of the map treat sand.
@@ -46,9 +56,9 @@ pub struct Dunes {
     /// Number of rounds that a wind blows before the next is drawn.
     #[schemars(extend("x-min" = 1))]
     pub spell: u64,
-    /// Distance that sand is carried in one hop.
+    /// Werner and protection: distance that sand is carried in one hop. If not given, it is 10 m.
     #[schemars(extend("x-above" = 0.0))]
-    pub hop: Length,
+    pub hop: Option<Length>,
     /// Number of rounds, if there is no clock. In each round the wind acts once on average on every site.
     #[schemars(extend("x-max" = 1e7))]
     pub iterations: u64,
@@ -59,36 +69,37 @@ pub struct Dunes {
     /// Number k of refinements at the end: 2 more rounds with half slabs, 4 with quarters, up to 2^k with slabs of a 2^k-th.
     #[schemars(extend("x-max" = 6))]
     pub refinements: u32,
-    /// Probability that sand which lands on sand stays.
+    /// Werner and protection: probability that sand which lands on sand stays. If not given, it is 0.6.
     #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
-    pub stay_on_sand: f64,
-    /// Probability that sand which lands on hard ground stays.
+    pub stay_on_sand: Option<f64>,
+    /// Werner and protection: probability that sand which lands on hard ground stays. If not given, it is 0.4.
     #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
-    pub stay_on_ground: f64,
+    pub stay_on_ground: Option<f64>,
     /// Angle of repose.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub repose: Angle,
-    /// Werner: angle of the wind shadow behind a rise: the wind does not reach the ground below it.
+    /// Werner: angle of the wind shadow behind a rise: the wind does not reach the ground below it. If not given, it is 15
+    /// degrees.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
-    pub shadow: Angle,
-    /// Protection: distance downwind that a site protects.
+    pub shadow: Option<Angle>,
+    /// Protection: distance downwind that a site protects. If not given, it is 20 m.
     #[schemars(extend("x-above" = 0.0))]
-    pub reach: Length,
-    /// Protection: half-angle of the protected cone, to either side of the wind.
+    pub reach: Option<Length>,
+    /// Protection: half-angle of the protected cone, to either side of the wind. If not given, it is 15 degrees.
     #[schemars(extend("x-min" = 0.0, "x-max" = 90.0))]
-    pub cone: Angle,
-    /// Koh: fraction of its strength that the wind loses behind a drop of one in one.
+    pub cone: Option<Angle>,
+    /// Koh: fraction of its strength that the wind loses behind a drop of one in one. If not given, it is 1.
     #[schemars(extend("x-min" = 0.0))]
-    pub wind_loss: f64,
-    /// Koh: distance over which slowed wind recovers. If not given, it never does.
+    pub wind_loss: Option<f64>,
+    /// Koh: distance over which slowed wind recovers. If not given, it is 10 m.
     #[schemars(extend("x-above" = 0.0))]
     pub wind_recovery: Option<Length>,
-    /// Koh: strength below which wind carries nothing.
+    /// Koh: strength below which wind carries nothing. If not given, it is 0.2.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
-    pub threshold: f64,
-    /// Koh: steepest rise that sand is blown up.
+    pub threshold: Option<f64>,
+    /// Koh: steepest windward side from which sand is blown. If not given, it is 25 degrees.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
-    pub steepest_climb: Angle,
+    pub steepest_climb: Option<Angle>,
     /// Distance, in cells, over which diffusion smooths the sand at the end. It removes grooves that follow the lattice.
     #[schemars(extend("x-min" = 0.0, "x-max" = 50.0))]
     pub smoothing: f64,
@@ -109,20 +120,20 @@ impl Default for Dunes {
             sand: Length::of(3.0).into(),
             wind: Vec::new(),
             spell: 1,
-            hop: Length::of(10.0),
+            hop: None,
             iterations: 200,
             slab: None,
             refinements: 3,
-            stay_on_sand: 0.6,
-            stay_on_ground: 0.4,
+            stay_on_sand: None,
+            stay_on_ground: None,
             repose: Angle::of(33.0),
-            shadow: Angle::of(15.0),
-            reach: Length::of(20.0),
-            cone: Angle::of(15.0),
-            wind_loss: 1.0,
-            wind_recovery: Some(Length::of(10.0)),
-            threshold: 0.2,
-            steepest_climb: Angle::of(25.0),
+            shadow: None,
+            reach: None,
+            cone: None,
+            wind_loss: None,
+            wind_recovery: None,
+            threshold: None,
+            steepest_climb: None,
             smoothing: 1.0,
             flux: Diffusivity::of(30.0),
             borders: Borders::Periodic,
@@ -153,7 +164,10 @@ impl Params for Dunes {
     ];
 
     fn check(&self) -> Result<()> {
-        if self.wind.is_empty() { Ok(()) } else { Rose::new("wind", &self.wind).map(drop) }
+        if !self.wind.is_empty() {
+            Rose::new("wind", &self.wind)?;
+        }
+        self.check_model()
     }
 }
 
@@ -161,6 +175,88 @@ impl Params for Dunes {
 pub(super) const UNITS_A_SLAB: i32 = 1 << 6;
 
 impl Dunes {
+    /// Refuses parameters that the model does not have.
+    fn check_model(&self) -> Result<()> {
+        use Model::{Koh, Protection, Werner};
+        let hops: &[Model] = &[Werner, Protection];
+        let given: [(&str, bool, &[Model]); 10] = [
+            ("hop", self.hop.is_some(), hops),
+            ("stay_on_sand", self.stay_on_sand.is_some(), hops),
+            ("stay_on_ground", self.stay_on_ground.is_some(), hops),
+            ("shadow", self.shadow.is_some(), &[Werner]),
+            ("reach", self.reach.is_some(), &[Protection]),
+            ("cone", self.cone.is_some(), &[Protection]),
+            ("wind_loss", self.wind_loss.is_some(), &[Koh]),
+            ("wind_recovery", self.wind_recovery.is_some(), &[Koh]),
+            ("threshold", self.threshold.is_some(), &[Koh]),
+            ("steepest_climb", self.steepest_climb.is_some(), &[Koh]),
+        ];
+        for (name, _, models) in
+            given.into_iter().filter(|(_, is_given, models)| *is_given && !models.contains(&self.model))
+        {
+            let of: Vec<String> = models.iter().map(|m| format!("\"{}\"", m.name())).collect();
+            let value = format!("given with model = \"{}\"", self.model.name());
+            return Err(Error::parameter(name, value, &format!("model = {}, or no `{name}`", of.join(" or "))));
+        }
+        Ok(())
+    }
+
+    /// Distance of a hop, m; with `koh` a cell.
+    pub(super) fn hop(&self, grid: &Grid) -> f64 {
+        match self.model {
+            Model::Koh => grid.spacing[0].min(grid.spacing[1]),
+            _ => self.hop.map_or(10.0, Length::si),
+        }
+    }
+
+    /// Probability that sand stays which lands on sand.
+    pub(super) fn stay_on_sand(&self) -> f64 {
+        match self.model {
+            Model::Koh => 1.0,
+            _ => self.stay_on_sand.unwrap_or(0.6),
+        }
+    }
+
+    /// Probability that sand stays which lands on hard ground.
+    pub(super) fn stay_on_ground(&self) -> f64 {
+        self.stay_on_ground.unwrap_or(0.4)
+    }
+
+    /// Angle of shadows, radians.
+    pub(super) fn shadow(&self) -> f64 {
+        self.shadow.unwrap_or(Angle::of(15.0)).si()
+    }
+
+    /// Distance that a site protects.
+    pub(super) fn reach(&self) -> Length {
+        self.reach.unwrap_or(Length::of(20.0))
+    }
+
+    /// Half-angle of what a site protects, radians.
+    pub(super) fn cone(&self) -> f64 {
+        self.cone.unwrap_or(Angle::of(15.0)).si()
+    }
+
+    /// Loss of wind behind drops.
+    pub(super) fn wind_loss(&self) -> f64 {
+        self.wind_loss.unwrap_or(1.0)
+    }
+
+    /// Distance over which the wind recovers, m.
+    pub(super) fn wind_recovery(&self) -> f64 {
+        self.wind_recovery.map_or(10.0, Length::si)
+    }
+
+    /// Least strength of wind that carries.
+    pub(super) fn threshold(&self) -> f64 {
+        self.threshold.unwrap_or(0.2)
+    }
+
+    /// Steepest windward side that gives sand, radians.
+    pub(super) fn steepest_climb(&self) -> f64 {
+        self.steepest_climb.unwrap_or(Angle::of(25.0)).si()
+    }
+
     /// Sea level, m.
     pub(super) fn sea_at(&self, environment: &Environment, time: f64) -> f64 {
         environment.level_or(self.sea_level, time)
@@ -179,8 +275,8 @@ impl Dunes {
     }
 
     /// Length of a round, s: with it, open sand that hops as it should carries `flux`.
-    pub(super) fn round(&self, slab: f64) -> f64 {
-        slab * self.hop.si() / (self.stay_on_sand * self.flux.si())
+    pub(super) fn round(&self, grid: &Grid, slab: f64) -> f64 {
+        slab * self.hop(grid) / (self.stay_on_sand() * self.flux.si())
     }
 
     /// Rounds with finer slabs at the end.

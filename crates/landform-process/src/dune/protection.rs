@@ -44,8 +44,8 @@ impl Protection {
             maps: vec![vec![0; n]; params.wind.len()],
             cones: None,
             grid: Grid { edges: Edges::all(edge), ..grid.clone() },
-            reach: params.reach.si(),
-            half_angle: params.cone.si(),
+            reach: params.reach().si(),
+            half_angle: params.cone(),
             towards: params.wind.iter().map(|w| w.towards()).collect(),
         };
         protection.update(field);

@@ -30,7 +30,7 @@ pub(super) fn round(
 ) {
     let n = grid.len();
     let towards = rose.winds()[wind].towards();
-    let hop = field.cells_of(towards, params.hop.si(), grid.spacing);
+    let hop = field.cells_of(towards, params.hop(grid), grid.spacing);
     let slab = field.sand.slab();
     for look in 0..LOOKS_A_ROUND {
         find_shelter(params, grid, field, protection.as_deref_mut(), scratch, (wind, towards));
@@ -57,7 +57,7 @@ pub(super) fn find_shelter(
     let Some(protection) = protection else {
         let sweep = WindScan::new(grid.shape, grid.spacing, field.is_torus(), towards);
         let surface = field.sand.surface();
-        let fall = field.fall(params.shadow.si(), sweep.line_spacing);
+        let fall = field.fall(params.shadow(), sweep.line_spacing);
         scratch.air.resize(n, 0.0);
         sweep.shelter(|i| surface[i] as f32, fall, &mut scratch.lines, &mut scratch.air);
         for i in 0..n {
@@ -86,7 +86,7 @@ fn blow(
     times: usize,
     stream: &mut Stream,
 ) {
-    let (on_sand, on_ground) = (bound(params.stay_on_sand), bound(params.stay_on_ground));
+    let (on_sand, on_ground) = (bound(params.stay_on_sand()), bound(params.stay_on_ground()));
     let whole = hop.map(|h| h.floor() as i64);
     // The probability of one cell more.
     let more = [0, 1].map(|k| bound(hop[k] - hop[k].floor()));

@@ -106,5 +106,6 @@ fn word(stopped: Stopped) -> &'static str {
         Stopped::Cancelled => "interrupted",
         Stopped::ByObserver => "by observer",
         Stopped::AtRest => "at rest",
+        Stopped::AtRestTooSoon => "at rest too soon",
     }
 }
