@@ -1,7 +1,7 @@
 //! The peers' tasks, one line of JSON each, so that both run in turns: `cargo run --release -p xtask -- peers TASK`.
 //!
 //! Tasks: A = depressions, D8 and drainage area of an elevation file; B = stream power on an n × n raster; C = stream power
-//! on a mesh of n nodes; mesh = Delaunay and areas of n sites; steady = C to a steady state, bit by bit, from coarse to fine.
+//! on a mesh of n nodes; mesh = Delaunay and areas of n sites; steady = C to a steady state (1e-15), from coarse to fine.
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -191,7 +191,7 @@ fn steady(args: &Args) -> Result<Value> {
         .process(Uplift { rate: Rate::of(0.4).into() })?
         .process(rivers)?
         .dt(1e9 * YEAR)
-        .until(Stop::steady(0.0).or_steps(1_000))
+        .until(Stop::steady(1e-15).or_steps(1_000))
         .refine(8);
     let outcome = simulation.run()?;
     let more = json!({ "mesh_seconds": meshed, "steps": outcome.steps, "residual": outcome.residual,
