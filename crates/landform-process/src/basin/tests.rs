@@ -1,3 +1,4 @@
+use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::analysis::{Drainage, NetworkSizes, network_scaling, scaling};
 use landform_core::field::names;
 use landform_core::grid::{Domain, Edge, Edges, Grid, Shape, Status};
@@ -34,14 +35,15 @@ fn critical(n: usize, seed: u64, rounds: u64) -> HeightField {
 
 /// tau over the threshold at every node with a receiver, with its drainage area.
 fn stresses(t: &HeightField) -> Vec<(f64, f64)> {
-    let drainage = Drainage::of(t, None, 0.0);
-    let (receivers, slots) = (drainage.flow.receivers(), drainage.flow.slots());
-    let z = t.elevation();
+    // The paths of the process, which run over the floors of lakes.
+    let (domain, z) = (t.domain(), t.elevation());
+    let (mut flow, mut area) = (Flow::new(), node_areas(&*domain));
+    flow.route(&*domain, z, &mut area);
     (0..z.len())
-        .filter(|&i| drainage.domain.status()[i] == Status::Interior)
+        .filter(|&i| domain.status()[i] == Status::Interior)
         .map(|i| {
-            let drop = z[i] - z[receivers[i] as usize];
-            (drainage.area[i], drainage.area[i].sqrt() * drop / drainage.domain.distance(i, slots[i]) / 10.0)
+            let drop = z[i] - z[flow.receivers()[i] as usize];
+            (area[i], area[i].sqrt() * drop / domain.distance(i, flow.slots()[i]) / 10.0)
         })
         .collect()
 }
