@@ -91,7 +91,7 @@ pub(super) const KOH_DUNES: Page = Page {
 
 Written by `cargo xtask reproduce koh-dunes`. The thesis has pictures and no numbers. What it leaves open was chosen so that 300 rounds from level sand leave its \"parallel striations\": wind loses its strength behind drops and
 wins it back within 10 m, slabs are a tenth of a cell, sand slips at 33 degrees. Sand is held where its cell stands too steeply above one of the three to windward, as the thesis says; that is what ends the growth of dunes.
-In the tests spacing and height keep from 300 to 1,200 rounds, as in the thesis. Any wind is allowed: the three cells become places across it, so that crests do not follow the lattice.
+In the tests half a wave and height keep from 300 to 1,200 rounds, as the thesis finds them kept; ridges get shorter. Any wind is allowed: the three cells become places across it, so that crests do not follow the lattice.
 
 ",
     figures: &[
