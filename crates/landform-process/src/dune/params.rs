@@ -191,14 +191,11 @@ impl Dunes {
             ("threshold", self.threshold.is_some(), &[Koh]),
             ("steepest_climb", self.steepest_climb.is_some(), &[Koh]),
         ];
-        for (name, _, models) in
-            given.into_iter().filter(|(_, is_given, models)| *is_given && !models.contains(&self.model))
-        {
-            let of: Vec<String> = models.iter().map(|m| format!("\"{}\"", m.name())).collect();
-            let value = format!("given with model = \"{}\"", self.model.name());
-            return Err(Error::parameter(name, value, &format!("model = {}, or no `{name}`", of.join(" or "))));
-        }
-        Ok(())
+        let foreign = given.into_iter().find(|(_, is_given, models)| *is_given && !models.contains(&self.model));
+        let Some((name, _, models)) = foreign else { return Ok(()) };
+        let of: Vec<String> = models.iter().map(|m| format!("\"{}\"", m.name())).collect();
+        let value = format!("given with model = \"{}\"", self.model.name());
+        Err(Error::parameter(name, value, &format!("model = {}, or no `{name}`", of.join(" or "))))
     }
 
     /// Distance of a hop, m; with `koh` a cell.

@@ -105,9 +105,8 @@ impl<'a> Checkpoint<'a> {
         let bytes = read_whole(self.path)?;
         let simulation = simulation.resume(self.key, &bytes).map_err(|e| unusable(self.path, &e))?;
         (self.ours, self.saved) = (true, simulation.model().steps());
-        match (watcher, &self.seen) {
-            (Some(watcher), Some(seen)) => self.recall(seen, watcher)?,
-            _ => {}
+        if let (Some(watcher), Some(seen)) = (watcher, &self.seen) {
+            self.recall(seen, watcher)?;
         }
         Ok(simulation)
     }
