@@ -45,7 +45,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
 
 /// What is known of a stage in the cache.
 fn cached_text(stage: &PlannedStage, cache: Option<&Cache>) -> String {
-    match cache.filter(|_| stage.cached).map(|cache| cache.check(stage)) {
+    match cache.filter(|_| stage.cached).map(|cache| stage.check_kept(cache)) {
         None => String::new(),
         Some(Err(e)) => format!("  damaged in the cache ({e}); made again where it is needed"),
         Some(Ok(())) if stage.watched => "  cached, but runs again for `watch`".into(),

@@ -131,7 +131,7 @@ impl<'a> Checkpoint<'a> {
             if piece.from != until {
                 break;
             }
-            watcher.recall(piece);
+            watcher.recall(&piece.rows, piece.frames.into_owned());
             until = end;
         }
         if until == self.saved {

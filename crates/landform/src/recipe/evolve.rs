@@ -9,10 +9,11 @@ use landform_core::sim::{Every, Model, Simulation, Stop, View};
 use landform_core::terrain::{AnyTerrain, Surface, Terrain, Visit};
 use landform_core::verb::{Outcome, Output, Stopped};
 
+use super::Recipe;
 use super::checkpoint::Checkpoint;
 use super::entry::Evolve;
+use super::options::{Options, Progress, Signal};
 use super::watch::{Watch, Watcher};
-use super::{Options, Progress, Recipe, Signal};
 
 /// Runs processes on a terrain of any kind; none if the run was interrupted.
 pub(super) struct Evolving<'a, 'b> {

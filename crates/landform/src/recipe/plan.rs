@@ -41,6 +41,16 @@ pub struct PlannedStage {
     pub(super) key: String,
 }
 
+impl PlannedStage {
+    /// Reads what a cache keeps of the stage, and refuses it where it is not whole. A run would make it again.
+    ///
+    /// # Errors
+    /// [`Error::Io`](landform_core::Error::Io) or [`Error::Format`](landform_core::Error::Format).
+    pub fn check_kept(&self, cache: &Cache) -> Result<()> {
+        cache.check(&self.key)
+    }
+}
+
 impl Recipe {
     /// Checks without a run that files exist, sizes and memory, and finds what is cached.
     ///

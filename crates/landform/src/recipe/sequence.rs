@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::{Component, Path, PathBuf};
 
 use landform_core::error::nearest;
 use landform_core::random::Seed;
@@ -10,6 +9,7 @@ use landform_core::terrain::Kind;
 use landform_core::{Error, Result};
 
 use super::entry::{Entry, EntryReader};
+use super::paths::plain;
 use super::stages::{stage, stages as known_stages};
 use super::tree::Node;
 
@@ -160,19 +160,4 @@ fn check_frames(number: usize, entry: &Entry, entries: &[Entry]) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// A path without steps that lead nowhere: "./a//b.png" is "a/b.png", and so is "c/../a/b.png".
-pub(super) fn plain(path: &str) -> PathBuf {
-    let mut plain = PathBuf::new();
-    for step in Path::new(path).components() {
-        match step {
-            Component::CurDir => {}
-            Component::ParentDir if matches!(plain.components().next_back(), Some(Component::Normal(_))) => {
-                plain.pop();
-            }
-            other => plain.push(other),
-        }
-    }
-    plain
 }

@@ -19,8 +19,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Clock;
-use super::checkpoint::Piece;
-use super::sequence::plain;
+use super::paths::plain;
 
 /// Files to write while processes run.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -198,9 +197,9 @@ impl<'a> Watcher<'a> {
     }
 
     /// Takes back rows and pictures from a checkpoint.
-    pub(super) fn recall(&mut self, piece: Piece) {
-        self.rows += &piece.rows;
-        self.frames.extend(piece.frames.into_owned());
+    pub(super) fn recall(&mut self, rows: &str, frames: Vec<Picture>) {
+        self.rows += rows;
+        self.frames.extend(frames);
         self.is_kept();
     }
 

@@ -11,7 +11,7 @@ use landform_core::terrain::bytes_a_node;
 use landform_core::verb::Event;
 use landform_core::{Error, Result};
 
-use super::{AnyTerrain, PlannedStage};
+use super::AnyTerrain;
 use disk::Disk;
 pub use disk::Kept;
 pub(super) use key::{input_paths, key, short_hash};
@@ -96,13 +96,10 @@ impl Cache {
         self.memory.find(&key.to_string()).is_some() || self.disk.as_ref().is_some_and(|disk| disk.has(key))
     }
 
-    /// Reads what is kept of a planned stage, and refuses it where it is not whole. A run would make it again.
-    ///
-    /// # Errors
-    /// [`Error::Io`] or [`Error::Format`].
-    pub fn check(&self, stage: &PlannedStage) -> Result<()> {
-        match (self.memory.find(&stage.key), &self.disk) {
-            (None, Some(disk)) => disk.check(&stage.key),
+    /// Reads what is kept under a key, and refuses it where it is not whole.
+    pub(super) fn check(&self, key: &str) -> Result<()> {
+        match (self.memory.find(&key.to_string()), &self.disk) {
+            (None, Some(disk)) => disk.check(key),
             _ => Ok(()),
         }
     }
