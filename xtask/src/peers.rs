@@ -133,7 +133,11 @@ fn evolve<T: NodeSurface>(
     dt: f64,
     steps: u64,
 ) -> Result<(T, Vec<f64>, f64)> {
-    let rivers = StreamPower { erodibility: Some(Erodibility::of(erodibility).into()), ..StreamPower::default() };
+    let rivers = StreamPower {
+        erodibility: Some(Erodibility::of(erodibility).into()),
+        limiting_slope: Some(0.0),
+        ..StreamPower::default()
+    };
     let mut last = Instant::now();
     let mut times = Vec::new();
     let before = cpu();
@@ -186,7 +190,11 @@ fn steady(args: &Args) -> Result<Value> {
     let mesh = rough_mesh(args.n)?;
     let meshed = begun.elapsed().as_secs_f64();
     let (nodes, before, start) = (mesh.elevation().len(), cpu(), Instant::now());
-    let rivers = StreamPower { erodibility: Some(Erodibility::of(5.6e-7).into()), ..StreamPower::default() };
+    let rivers = StreamPower {
+        erodibility: Some(Erodibility::of(5.6e-7).into()),
+        limiting_slope: Some(0.0),
+        ..StreamPower::default()
+    };
     let mut simulation = Simulation::new(mesh)
         .process(Uplift { rate: Rate::of(0.4).into() })?
         .process(rivers)?

@@ -29,8 +29,12 @@ fn river(cells: usize, cell: f64) -> Result<HeightField> {
 }
 
 fn evolve(start: HeightField, m: f64, dt: f64, stop: Stop) -> Result<Vec<f64>> {
-    let rivers =
-        StreamPower { erodibility: Some(Erodibility::of(K).into()), area_exponent: m, ..StreamPower::default() };
+    let rivers = StreamPower {
+        erodibility: Some(Erodibility::of(K).into()),
+        area_exponent: m,
+        limiting_slope: Some(0.0),
+        ..StreamPower::default()
+    };
     let mut simulation =
         Simulation::new(start).process(Uplift { rate: Rate::of(1e3 * U).into() })?.process(rivers)?.dt(dt).until(stop);
     simulation.run()?;

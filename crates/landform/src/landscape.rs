@@ -249,14 +249,16 @@ impl Visit for Running<'_> {
     type Out = Result<(AnyTerrain, Outcome)>;
 
     fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
-        let mut model = Model::new(terrain.clone());
+        let seed = Seed(self.land.seed).named(&format!("evolve#{}", self.land.history.len()));
+        let jitters = self.parts.iter().any(ReadStage::jitters);
+        let jittered = jitters.then(|| terrain.jittered(seed.named("lattice"))).flatten();
+        let mut model = Model::new(jittered.unwrap_or_else(|| terrain.clone()));
         for part in self.parts {
             part.add_to(T::KIND, &mut model)?;
         }
-        let seed = Seed(self.land.seed).named(&format!("evolve#{}", self.land.history.len()));
         let model = model.dt(self.dt).seed(seed).maps(self.maps).environment(self.land.environment.clone());
         let mut run = Simulation::of(model).until(self.stop);
         let outcome = run.run()?;
-        Ok((run.into_terrain().wrap(), outcome))
+        Ok((run.into_terrain().at_centres().into_owned().wrap(), outcome))
     }
 }

@@ -209,7 +209,7 @@ fn rivers_uplift_and_creep_run_on_ground_that_nobody_knows() {
     // Without creep and with m = 0.5, n = 1: slope times the square root of area is U / K at the steady state.
     let (rate, erodibility) = (1e-3, 2e-5);
     let erodibility_of_rock = Some(landform::core::units::Erodibility::of(erodibility).into());
-    let law = StreamPower { erodibility: erodibility_of_rock, ..StreamPower::default() };
+    let law = StreamPower { erodibility: erodibility_of_rock, limiting_slope: Some(0.0), ..StreamPower::default() };
     let run = |creep: bool| {
         let mut simulation = Simulation::new(valley(60))
             .process(Uplift { rate: Rate::of(1e3 * rate).into() })

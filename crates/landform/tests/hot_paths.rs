@@ -65,7 +65,7 @@ fn hot_steps<T: NodeSurface>(model: &mut Model<T>, steps: u64) {
 }
 
 fn rivers() -> StreamPower {
-    StreamPower { area_exponent: 0.5, ..StreamPower::default() }
+    StreamPower { area_exponent: 0.5, limiting_slope: Some(0.0), ..StreamPower::default() }
 }
 
 #[test]

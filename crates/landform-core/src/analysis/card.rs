@@ -1,7 +1,8 @@
 //! The report card: how natural a landscape's numbers are.
 //!
 //! # Method
-//! Each measure has the range that it takes on real ground. Five of them distinguish eroded ground from noise. A landscape made
+//! Each measure has the range that it takes on real ground. Five of them distinguish eroded ground from noise, nine show the lattice
+//! or the one slope of made ground where it is steep enough ([`super::directions`]). A landscape made
 //! by the stream-power law alone is recognised by fits that are too good. The verdict counts these measures; the other lines are
 //! for information.
 //!
@@ -46,6 +47,21 @@ pub struct Verdict {
 /// With fewer nodes there are no statistics.
 const LEAST_NODES: usize = 1_000;
 
+/// Numbers of directions that the card shows; R² of slopes and of chi have lines of their own.
+#[rustfmt::skip]
+const DIRECTIONS: [(&str, &str); 9] = [
+    ("aspect_peak", "Peak of the slopes' directions"),
+    ("aspect_45", "Slopes along the lattice"),
+    ("aspect_r8", "Eightfold symmetry of slopes"),
+    ("straight_channels", "Channels in straight runs"),
+    ("reach_45", "Reaches along the lattice"),
+    ("plane_share", "Share of planes"),
+    ("slope_mode", "Share of the commonest slope"),
+    ("slope_skew", "Skew of slopes"),
+    ("hollow_sharpness", "Sharpness of hollows over crests"),
+];
+
+const TEN: &str = "10 real places";
 const NINE: &str = "9 real places";
 const EIGHTEEN: &str = "18 real places";
 
@@ -77,6 +93,25 @@ const ROWS: &[Row] = &[
 
 /// The card of a landscape.
 pub fn report_card(metrics: &Metrics) -> Vec<CardLine> {
+    let mut lines = rows(metrics);
+    let directions = &metrics.directions;
+    for gate in &directions.gates {
+        if let Some(&(_, name)) = DIRECTIONS.iter().find(|d| d.0 == gate.name) {
+            lines.push(CardLine {
+                name: name.into(),
+                value: gate.value.unwrap_or(f64::NAN),
+                natural: gate.natural,
+                inside: gate.inside.filter(|_| directions.ranges_hold),
+                decides: directions.ranges_hold,
+                meaning: gate.meaning.clone(),
+                source: TEN.into(),
+            });
+        }
+    }
+    lines
+}
+
+fn rows(metrics: &Metrics) -> Vec<CardLine> {
     ROWS.iter()
         .map(|&(name, value, natural, decides, meaning, source)| {
             let value = value(metrics);
@@ -116,7 +151,7 @@ pub fn verdict(metrics: &Metrics, card: &[CardLine]) -> Verdict {
     if of < 4 || metrics.elevations.nodes < LEAST_NODES {
         return say(
             "Too little ground to tell",
-            format!("{} nodes with data, {of} of the five deciding measures taken.", metrics.elevations.nodes),
+            format!("{} nodes with data, {of} deciding measures taken.", metrics.elevations.nodes),
         );
     }
     if metrics.network.slope_area.r2 > 0.99 && chi > 0.99 {
@@ -131,7 +166,9 @@ pub fn verdict(metrics: &Metrics, card: &[CardLine]) -> Verdict {
     match outside.len() {
         0 => say(
             "Like natural ground",
-            format!("All {of} measures that tell eroded ground from noise lie in their natural ranges."),
+            format!(
+                "All {of} measures that tell eroded ground from noise and from lattices lie in their natural ranges."
+            ),
         ),
         1 => say(
             "Like natural ground, but for one thing",
@@ -140,6 +177,10 @@ pub fn verdict(metrics: &Metrics, card: &[CardLine]) -> Verdict {
         2 => say(
             "Unusual",
             format!("Of {of} deciding measures two lie outside their natural ranges: {}.", outside.join(" and ")),
+        ),
+        n if metrics.directions.outside().len() * 2 > n => say(
+            "Made on a lattice, or with one slope",
+            format!("Of {of} deciding measures {n} lie outside their natural ranges: {}.", outside.join(", ")),
         ),
         n => say(
             "Like noise, not like eroded ground",

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Coast, Drainage, Form, Hypsometry, Network, Spectrum, Surface, Variogram, coast, density, form, network,
-    of_density, of_sorted, share_in_sinks, surface, variogram,
+    Coast, Directions, Drainage, Form, Hypsometry, Network, Spectrum, Surface, Variogram, coast, density, directions,
+    form, network, of_density, of_sorted, share_in_sinks, surface, variogram,
 };
 use crate::terrain::{HeightField, NodeSurface};
 use crate::{Error, Result, parallel};
@@ -47,6 +47,8 @@ pub struct Metrics {
     pub surface: Option<Surface>,
     /// Pits, peaks, sinks.
     pub form: Form,
+    /// Directions of slopes and channels, facets.
+    pub directions: Directions,
     /// Drainage.
     pub network: Network,
     /// Spectrum; none if no square of 32 nodes a side has data.
@@ -100,13 +102,14 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
     let elevations = elevations(land, &sorted);
     let hypsometry = of_sorted(&sorted);
     drop(sorted);
-    let (network, form) = {
+    let (network, directions, form) = {
         let drainage = Drainage::with_open_holes(land);
         let sinks = share_in_sinks(&drainage.flow, z);
         let network = network(&drainage, z);
+        let directions = directions(grid, z, &drainage, &network);
         let domain = drainage.domain.clone();
         drop(drainage);
-        (network, form(grid, &domain, z, sinks))
+        (network, directions, form(grid, &domain, z, sinks))
     };
     let (spectrum, plot) = match density(grid, z, true) {
         Some((window, density)) => (Some(of_density(grid, z, window, &density)), Some(density.log_plot(SPECTRUM_PLOT))),
@@ -117,6 +120,7 @@ pub fn metrics(field: &HeightField, sea_level: Option<f64>) -> Result<(Metrics, 
         hypsometry,
         surface: surface(grid, z),
         form,
+        directions,
         network,
         spectrum,
         variogram: variogram(grid, z),

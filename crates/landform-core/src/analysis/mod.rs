@@ -3,6 +3,7 @@
 mod card;
 mod coast;
 mod compare;
+mod directions;
 mod dunes;
 mod features;
 mod form;
@@ -20,6 +21,7 @@ pub use coast::{
     Coast, Dimension, box_counts, coast, dimension_by_boxes, dimension_by_divider, divider_steps, project,
 };
 pub use compare::{Comparison, compare};
+pub use directions::{Directions, Gate, directions, directions_of};
 pub use dunes::{DuneClass, Dunes, ShadowError, dunes, shadow_error};
 pub use features::{FeatureSearch, find_features};
 pub use form::{Form, form, form_of, share_in_sinks};

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Link, Neighbours};
+use super::{Centres, Link, Neighbours, Shape};
 use crate::parallel;
 
 /// Status of a node for flow.
@@ -40,6 +40,17 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
     /// Width of the face shared with the neighbour in a slot over the distance to it: the conductance of a diffusive flux.
     fn conductance(&self, node: usize, slot: u8) -> f64;
 
+    /// Rows and columns, if the conductances that are not 0 are those to the east, north, west and south of a raster whose sides do
+    /// not wrap.
+    fn five_point(&self) -> Option<Shape> {
+        None
+    }
+
+    /// Weights for the heights at the places that conductances hold for, if nodes stand off them.
+    fn centres(&self) -> Option<Centres> {
+        None
+    }
+
     /// The link in a slot.
     fn link(&self, node: usize, slot: u8) -> Link {
         let none = Link { to: node, distance: f64::INFINITY, slot: NO_SLOT };
@@ -56,6 +67,12 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
     #[inline]
     fn distance(&self, node: usize, slot: u8) -> f64 {
         self.link(node, slot).distance
+    }
+
+    /// One over the distance to the neighbour in a slot, 1/m, to the bit that slopes are compared with.
+    #[inline]
+    fn inverse_distance(&self, node: usize, slot: u8) -> f64 {
+        1.0 / self.distance(node, slot)
     }
 
     /// The slot in which the neighbour holds the link back.
@@ -152,7 +169,7 @@ pub(super) fn steepest_link(domain: &impl Domain, elevation: &[f64], node: usize
     let mut best = (0.0, None);
     for link in domain.neighbours(node) {
         // As the kernels do: ties are decided by the last digit.
-        let slope = (z - elevation[link.to]) * (1.0 / link.distance);
+        let slope = (z - elevation[link.to]) * domain.inverse_distance(node, link.slot);
         if slope > best.0 {
             best = (slope, Some(link));
         }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Edge, Edges, Georeference, Shape};
+use super::{Edge, Edges, Georeference, Jitter, Shape};
 use crate::{Error, Result};
 
 /// Regular grid of nodes (values at vertices). Row 0 is the north edge, column 0 the west edge:
@@ -22,6 +22,9 @@ pub struct Grid {
     /// The grid that this is a window of, if it is one.
     #[serde(default)]
     pub frame: Option<Frame>,
+    /// How nodes stand off the centres of their cells, while water runs over them; none where they do not.
+    #[serde(default)]
+    pub jitter: Option<Jitter>,
 }
 
 /// The whole grid of a window. Values that depend on the whole extent, and positions to the last bit, follow from it.
@@ -62,6 +65,7 @@ impl Grid {
             edges: Edges::default(),
             georeference: Georeference::default(),
             frame: None,
+            jitter: None,
         })
     }
 
@@ -98,11 +102,17 @@ impl Grid {
         self.shape.is_empty()
     }
 
-    /// Position of a node, m.
+    /// Position of a node, m; with [`Grid::jitter`] off the centre of its cell.
     #[inline]
     pub fn position(&self, index: usize) -> [f64; 2] {
         let cell = self.shape.cell(index);
-        [self.x(cell.col), self.y(cell.row)]
+        match self.jitter {
+            None => [self.x(cell.col), self.y(cell.row)],
+            Some(jitter) => {
+                let [east, south] = jitter.offset(self, cell.row, cell.col);
+                [self.x(cell.col) + east * self.spacing[0], self.y(cell.row) - south * self.spacing[1]]
+            }
+        }
     }
 
     /// x of a column, m.
@@ -184,7 +194,7 @@ impl Grid {
         let frame = Frame { first: [whole.first[0] + north, whole.first[1] + west], ..whole };
         Ok(Self {
             shape: Shape::new(last[0] - north + 1, last[1] - west + 1),
-            origin: self.position(self.shape.index(north, west)),
+            origin: [self.x(west), self.y(north)],
             edges: edges.cut(self.sides_cut(first, last), Edge::Closed),
             frame: Some(frame),
             ..self.clone()

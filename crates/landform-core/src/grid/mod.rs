@@ -18,6 +18,7 @@ mod georeference;
 mod graph;
 #[expect(clippy::module_inception, reason = "the grid is what the folder is named for")]
 mod grid;
+mod jitter;
 mod lattice;
 mod neighbours;
 mod raster;
@@ -30,6 +31,7 @@ pub use georeference::{Degrees, GeoKeys, Georeference, Registration};
 pub use graph::Graph;
 pub(crate) use graph::Links;
 pub use grid::{Frame, Grid};
+pub use jitter::{Centres, Jitter};
 pub use lattice::Lattice;
 pub use neighbours::{Link, Neighbours};
 pub use raster::RasterDomain;

@@ -4,8 +4,10 @@
 //! by 4. Masked nodes hold NaN in every elevation that is passed in, so that no comparison ever chooses them.
 
 use super::domain::steepest_link;
-use super::{Domain, Edge, Grid, Link, NO_SLOT, Neighbours, Shape, Side, Status, is_below};
+use super::jitter::Jittered;
+use super::{Centres, Domain, Edge, Grid, Link, NO_SLOT, Neighbours, Shape, Side, Status, is_below};
 use crate::parallel;
+use std::sync::Arc;
 
 const ROW_STEP: [isize; 8] = [0, -1, -1, -1, 0, 1, 1, 1];
 const COL_STEP: [isize; 8] = [1, 1, 0, -1, -1, -1, 0, 1];
@@ -82,12 +84,14 @@ pub struct RasterDomain {
     shape: Shape,
     offset: [isize; 8],
     distance: [f64; 8],
+    inverse: [f64; 8],
     conductance: [f64; 8],
     area: f64,
     wraps_cols: bool,
     wraps_rows: bool,
     status: Vec<Status>,
     has_mask: bool,
+    jittered: Option<Arc<Jittered>>,
 }
 
 impl RasterDomain {
@@ -104,13 +108,19 @@ impl RasterDomain {
             shape: grid.shape,
             offset: std::array::from_fn(|k| ROW_STEP[k] * cols + COL_STEP[k]),
             distance,
+            inverse: distance.map(|d| 1.0 / d),
             conductance: [dy / dx, 0.0, dx / dy, 0.0, dy / dx, 0.0, dx / dy, 0.0],
             area: dx * dy,
             wraps_cols: grid.edges.wraps_cols() && grid.shape.cols > 2,
             wraps_rows: grid.edges.wraps_rows() && grid.shape.rows > 2,
             status: vec![Status::Interior; grid.len()],
             has_mask: false,
+            jittered: None,
         };
+        if let Some(jitter) = grid.jitter {
+            let moves = std::array::from_fn(|k| [COL_STEP[k] as f64, ROW_STEP[k] as f64]);
+            domain.jittered = Some(Arc::new(Jittered::new(grid, jitter, moves, |i, k| domain.step(i, k))));
+        }
         for side in [Side::North, Side::East, Side::South, Side::West] {
             if grid.edges.get(side) == Edge::Open {
                 for i in side_nodes(grid.shape, side) {
@@ -166,6 +176,16 @@ impl RasterDomain {
         Some(self.shape.index(row, col))
     }
 
+    /// Distance from a node to its neighbour `to` in direction `k`, m.
+    #[inline]
+    fn length(&self, node: usize, to: usize, k: usize) -> f64 {
+        match &self.jittered {
+            None => self.distance[k],
+            Some(jittered) => 1.0 / f64::from(jittered.inverse[k & 3][if k < 4 { node } else { to }]),
+        }
+    }
+
+    #[inline]
     fn is_rim(&self, node: usize) -> bool {
         // Divisions of 32 bits take half the time.
         let (node, rows, cols) = (node as u32, self.shape.rows as u32, self.shape.cols as u32);
@@ -187,8 +207,16 @@ impl RasterDomain {
         let inner = row > 0 && row + 1 < self.shape.rows && cols > 2;
         if inner {
             let rows = &elevation[(row - 1) * cols..(row + 2) * cols];
-            let inverse = [1.0 / self.distance[0], 1.0 / self.distance[1], 1.0 / self.distance[2]];
-            steepest_kernel(rows, cols, inverse, slots);
+            match &self.jittered {
+                None => {
+                    let inverse = [self.inverse[0], self.inverse[1], self.inverse[2]];
+                    steepest_kernel(rows, cols, inverse, slots);
+                }
+                Some(jittered) => {
+                    let of = |k: usize| &jittered.inverse[k][row * cols..(row + 2) * cols];
+                    steepest_jittered(rows, cols, [of(0), of(1), of(2), of(3)], slots);
+                }
+            }
         }
         let status = &self.status[row * cols..(row + 1) * cols];
         // The kernel leaves out the first and the last column.
@@ -225,6 +253,41 @@ fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8
             (z - dw[j]) * id,
             (z - dc[j]) * iy,
             (z - de[j]) * id,
+        ];
+        let (mut best, mut slot) = (0.0, NO_SLOT);
+        for (k, &s) in slopes.iter().enumerate() {
+            let steeper = s > best;
+            best = if steeper { s } else { best };
+            slot = if steeper { k as u8 } else { slot };
+        }
+        out[j] = slot;
+    }
+}
+
+/// As [`steepest_kernel`] with distances of their own: `inverse` has those of the row and of the one below, by slot.
+fn steepest_jittered(rows: &[f64], cols: usize, inverse: [&[f32]; 4], slots: &mut [u8]) {
+    let (up, rest) = rows.split_at(cols);
+    let (here, down) = rest.split_at(cols);
+    let n = cols - 2;
+    let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
+    let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
+    let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
+    let [east, north_east, north, north_west] = inverse;
+    // Links to the west and south are held by the neighbour.
+    let (e, ne, no, nw) = (&east[1..=n], &north_east[1..=n], &north[1..=n], &north_west[1..=n]);
+    let (w, sw, so, se) = (&east[..n], &north_east[cols..][..n], &north[cols + 1..][..n], &north_west[cols + 2..][..n]);
+    let out = &mut slots[1..=n];
+    for j in 0..n {
+        let z = hc[j];
+        let slopes = [
+            (z - he[j]) * f64::from(e[j]),
+            (z - ue[j]) * f64::from(ne[j]),
+            (z - uc[j]) * f64::from(no[j]),
+            (z - uw[j]) * f64::from(nw[j]),
+            (z - hw[j]) * f64::from(w[j]),
+            (z - dw[j]) * f64::from(sw[j]),
+            (z - dc[j]) * f64::from(so[j]),
+            (z - de[j]) * f64::from(se[j]),
         ];
         let (mut best, mut slot) = (0.0, NO_SLOT);
         for (k, &s) in slopes.iter().enumerate() {
@@ -290,16 +353,18 @@ impl Neighbours for RasterDomain {
             } else {
                 self.step(node, k).filter(|&j| self.status[j] != Status::Masked)?
             };
-            Some(Link { to, distance: self.distance[k], slot: k as u8 })
+            Some(Link { to, distance: self.length(node, to, k), slot: k as u8 })
         })
     }
 }
 
 impl Domain for RasterDomain {
+    #[inline]
     fn area(&self, _: usize) -> f64 {
         self.area
     }
 
+    #[inline]
     fn status(&self) -> &[Status] {
         &self.status
     }
@@ -328,8 +393,24 @@ impl Domain for RasterDomain {
     }
 
     #[inline]
-    fn distance(&self, _: usize, slot: u8) -> f64 {
-        self.distance[slot as usize & 7]
+    fn distance(&self, node: usize, slot: u8) -> f64 {
+        let k = slot as usize & 7;
+        if self.jittered.is_none() || slot == NO_SLOT {
+            return self.distance[k];
+        }
+        self.length(node, if k < 4 { node } else { self.neighbour(node, slot) }, k)
+    }
+
+    #[inline]
+    fn inverse_distance(&self, node: usize, slot: u8) -> f64 {
+        match &self.jittered {
+            None => self.inverse[slot as usize & 7],
+            Some(jittered) => {
+                let k = slot as usize & 7;
+                let holder = if k < 4 { node } else { self.neighbour(node, slot) };
+                f64::from(jittered.inverse[k & 3][holder])
+            }
+        }
     }
 
     #[inline]
@@ -340,6 +421,15 @@ impl Domain for RasterDomain {
     #[inline]
     fn slot_back(&self, _: usize, slot: u8) -> u8 {
         (slot + 4) & 7
+    }
+
+    fn five_point(&self) -> Option<Shape> {
+        (!self.wraps_cols && !self.wraps_rows).then_some(self.shape)
+    }
+
+    fn centres(&self) -> Option<Centres> {
+        let jittered = self.jittered.as_ref()?;
+        Some(Centres::new(self.shape, &jittered.offset, |i| self.status[i] != Status::Interior))
     }
 
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
@@ -451,9 +541,11 @@ mod tests {
 
     #[test]
     fn the_row_kernel_agrees_with_the_definition() {
-        for edges in [Edges::default(), Edges::all(Edge::Closed), Edges::all(Edge::Periodic)] {
+        let jitter = Some(crate::grid::Jitter { seed: Seed(1) });
+        let all = [Edges::default(), Edges::all(Edge::Closed), Edges::all(Edge::Periodic)];
+        for (edges, jitter) in all.into_iter().flat_map(|edges| [(edges, None), (edges, jitter)]) {
             let mut grid = Grid::new(Shape::new(13, 17), [10.0, 7.0]).unwrap();
-            grid.edges = edges;
+            (grid.edges, grid.jitter) = (edges, jitter);
             let domain = RasterDomain::new(&grid, &[]);
             let z = noise(grid.len());
             let (mut receiver, mut slot, mut saddle) = (vec![0; z.len()], vec![0; z.len()], vec![0; z.len()]);

@@ -24,13 +24,14 @@ pub(super) struct Parameters {
     pub(super) normal: Json,
     pub(super) outputs: Vec<String>,
     pub(super) reach: Reach,
+    pub(super) jitters: bool,
 }
 
 impl Parameters {
     pub(super) fn new<P: Params>(params: P) -> Result<Self> {
         let normal = serde_json::to_value(&params).map_err(|e| Error::format("parameters", e))?;
-        let (outputs, reach) = (params.outputs(), params.reach());
-        Ok(Self { value: Arc::new(params), normal, outputs, reach })
+        let (outputs, reach, jitters) = (params.outputs(), params.reach(), params.jitters());
+        Ok(Self { value: Arc::new(params), normal, outputs, reach, jitters })
     }
 }
 

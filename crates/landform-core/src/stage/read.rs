@@ -68,6 +68,11 @@ impl ReadStage {
         self.parameters.reach
     }
 
+    /// Whether nodes of a raster should stand off the centres of their cells while it runs.
+    pub fn jitters(&self) -> bool {
+        self.parameters.jitters
+    }
+
     /// The stage where cells are `factor` times as long.
     ///
     /// # Errors

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use super::{Ground, HeightField, Kind, Mesh, NodeSurface, Refine, Terrain, height_field_from_mesh};
+use crate::random::Seed;
 use crate::{Error, Result};
 
 /// A surface from which a raster can be made.
@@ -14,11 +15,29 @@ pub trait Rasterize: NodeSurface {
     /// # Errors
     /// Where [`HeightField::new`] fails.
     fn rasterized(&self) -> Result<Cow<'_, HeightField>>;
+
+    /// The same ground on nodes off the centres of the cells, by a seed; none if nodes stand on no lattice, or do so already.
+    fn jittered(&self, _: Seed) -> Option<Self> {
+        None
+    }
+
+    /// The same ground on the centres of the cells, if its nodes stand off them.
+    fn at_centres(&self) -> Cow<'_, Self> {
+        Cow::Borrowed(self)
+    }
 }
 
 impl Rasterize for HeightField {
     fn rasterized(&self) -> Result<Cow<'_, HeightField>> {
-        Ok(Cow::Borrowed(self))
+        Ok(self.at_centres())
+    }
+
+    fn jittered(&self, seed: Seed) -> Option<Self> {
+        self.off_centres(seed)
+    }
+
+    fn at_centres(&self) -> Cow<'_, Self> {
+        self.on_centres().map_or(Cow::Borrowed(self), Cow::Owned)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Fewer nodes for the same ground, and back: for runs that go from coarse to fine.
 
 use super::convert::elevation_raster;
-use super::{HeightField, Layer, Layers, Mesh, NodeSurface, height_field};
+use super::{HeightField, Layer, Layers, Mesh, NodeSurface, Rasterize, height_field};
 use crate::field::Fields;
 use crate::grid::{Domain, Edges, Grid, Shape, Status};
 use crate::parallel;
@@ -132,6 +132,7 @@ impl HeightField {
             edges: self.grid().edges,
             georeference: self.grid().georeference.clone(),
             frame: None,
+            jitter: self.grid().jitter,
         };
         let z = kept.iter().map(|&i| self.elevation()[i as usize]).collect();
         let mut field = Self::new(grid, z).ok()?;
@@ -148,6 +149,7 @@ impl HeightField {
         let domain = self.domain();
         let grid = self.grid().clone();
         let [[west, south], [east, north]] = coarse.bounds();
+        let coarse = coarse.at_centres();
         self.change(Layer::Bedrock, |z| {
             set_interior(z, domain.status(), |i| {
                 let [x, y] = grid.position(i);

@@ -27,6 +27,7 @@ mod erode;
 mod gaussian;
 mod ground;
 mod height_field;
+mod jittered;
 mod layers;
 mod material;
 mod mesh;

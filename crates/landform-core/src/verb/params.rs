@@ -52,6 +52,11 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
         Reach::Whole
     }
 
+    /// Whether water follows slopes from node to node of a raster, so that nodes should stand off the centres of their cells.
+    fn jitters(&self) -> bool {
+        false
+    }
+
     /// Checks that a range cannot express.
     ///
     /// # Errors

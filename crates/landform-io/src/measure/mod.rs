@@ -23,8 +23,8 @@ pub use coast::{CoastMeasured, MeasureCoast};
 pub use dunes::MeasureDunes;
 pub use landscape::MeasureLandscape;
 pub use simple::{
-    DrainageMeasured, MeasureDrainage, MeasureHypsometry, MeasureSpectrum, MeasureSurface, SpectrumMeasured,
-    SurfaceMeasured,
+    DrainageMeasured, MeasureDirections, MeasureDrainage, MeasureHypsometry, MeasureSpectrum, MeasureSurface,
+    SpectrumMeasured, SurfaceMeasured,
 };
 pub use summary::{MeasureSummary, Measured};
 
@@ -33,6 +33,7 @@ use landform_core::terrain::{HeightField, Mesh};
 landform_core::stages! {
     measure MeasureSummary where HeightField, Mesh;
     measure MeasureCoast where HeightField, Mesh;
+    measure MeasureDirections where HeightField, Mesh;
     measure MeasureDrainage where HeightField, Mesh;
     measure MeasureDunes where HeightField;
     measure MeasureHypsometry where HeightField, Mesh;

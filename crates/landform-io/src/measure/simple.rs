@@ -3,8 +3,8 @@
 use landform_core::Result;
 use landform_core::algo::thin_plate::bending_energy;
 use landform_core::analysis::{
-    Drainage, Form, Hypsometry, Network, Spectrum, Surface, Transects, Variogram, form_of, hypsometry, network,
-    spectrum, surface, transects, variogram,
+    Directions, Drainage, Form, Hypsometry, Network, Spectrum, Surface, Transects, Variogram, directions_of, form_of,
+    hypsometry, network, spectrum, surface, transects, variogram,
 };
 use landform_core::terrain::{NodeSurface, Rasterize};
 use landform_core::verb::{Landscape, Measure, Params, Source, check_path};
@@ -131,6 +131,12 @@ measure!(
     MeasureDrainage, "measure_drainage", "drainage.json", [HORTON, CHI], DrainageMeasured, |raster| {
         network(&Drainage::with_open_holes(&*raster), raster.elevation())
     }
+);
+
+measure!(
+    /// Measures whether the ground shows the lattice that it was made on: directions of slopes and channels, facets, one slope
+    /// everywhere, sharp hollows. Each number comes with the range that it has on real ground.
+    MeasureDirections, "measure_directions", "directions.json", [HORN], Directions, |raster| directions_of(&raster)
 );
 
 /// Slopes and shapes.

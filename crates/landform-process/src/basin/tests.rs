@@ -171,6 +171,7 @@ fn rivers_at_a_steady_state_of_stream_power_are_nearly_optimal() {
     (0..64).for_each(|c| status[63 * 64 + c] = Status::BaseLevel);
     t.set_status(Some(status));
     let rivers = crate::stream_power::StreamPower {
+        limiting_slope: Some(0.0),
         erodibility: Some(landform_core::units::Erodibility::of(1e-5).into()),
         area_exponent: 0.5,
         slope_exponent: 1.0,

@@ -23,7 +23,7 @@ pub(super) fn sweep<D: Domain>(domain: &D, flow: &Flow, law: &Law, rock: &Rock, 
         let strength = law.strength(erodibility, area[i], length);
         // The threshold reduces the rate of lowering.
         let spared = law.threshold * erodibility * law.dt;
-        let worn = law.worn(old + spared - base, strength).min(old - base);
+        let worn = law.worn(old + spared - base, strength, law.limiting_slope * length).min(old - base);
         base + law.standing(worn, law.greatest_slope * length, length).0
     });
 }

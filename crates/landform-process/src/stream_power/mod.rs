@@ -4,7 +4,9 @@
 //! cannot stand steeper than the talus angle.
 //!
 //! # Model
-//! ∂z/∂t = −K Aᵐ Sⁿ + (G/A) Q, with S the slope to the receiver and Q the sediment flux; base levels are held.
+//! ∂z/∂t = −K Aᵐ Sⁿ/(1 − S/S_d) + (G/A) Q, with S the slope to the receiver and Q the sediment flux; base levels are held. Where
+//! S ≪ S_d it is the law of rivers; steep heads of valleys approach S_d and stay gullies, rather than planes of one angle. With it
+//! A is at least 5,000 m², so that slopes do not grow as cells shrink.
 //!
 //! | symbol | here | unit | meaning |
 //! |---|---|---|---|
@@ -12,6 +14,7 @@
 //! | A | drainage area | m² | weighted by rainfall over 1 m/yr, if rainfall is given |
 //! | m, n | `area_exponent`, `slope_exponent` | – | exponents |
 //! | G | `deposition` | – | how readily sediment settles |
+//! | S_d | `limiting_slope` | – | slope that ground does not exceed |
 //! | α | `talus_angle` | rad | steepest stable slope |
 //!
 //! # Method
@@ -22,6 +25,10 @@
 //! space, stable for any Δt, O(n). Ground under a lake's surface, which stands at or below its receiver, is left alone.
 //! With deposition, one linear system on the tree of rivers ([`yuan_2019`]).
 //!
+//! With a limiting slope the step at a node is the root of a quadratic for n = 1: x + f x/(1 − x/(S_d L)) = drop.
+//!
+//! Nodes of a raster stand off the centres of their cells while a recipe runs ([`Lattice`]).
+//!
 //! On layered ground a step wears through strata one after the other, each with its own erodibility, and slopes stand at the
 //! angle of repose of each stratum ([`rock`]): resistant beds become ledges and caps.
 //!
@@ -30,10 +37,12 @@
 //!
 //! # Limits
 //! Each node has one receiver (only drainage area can be shared). Sediment that reaches the sea or the border leaves the domain.
-//! On a raster drainage area follows eight directions.
+//! On a regular raster drainage area follows eight directions.
 //!
 //! # Sources
-//! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Yuan et al. (2019) for deposition; Bell
+//! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Yuan et al. (2019) for deposition; Stock &
+//! Dietrich (2003) and McGuire et al. (2023) for the form of valleys where debris flows, which the limiting slope gives at a
+//! steady state, S = S_d/(1 + (K S_d/U) Aᵐ); Bell
 //! (2024), eqs. 3.5–3.7 and algorithm 8 for rainfall, which we measure in 1 m/yr. The thesis' listing updates children from the receiver's old elevation, which is not the scheme that
 //! it states (validation notes 3.3).
 //!
@@ -55,7 +64,8 @@
 //! let ramp = HeightField::new(grid, [3.0, 2.0, 1.0, 0.0].repeat(3))?;
 //! let mut model = Model::new(ramp).dt(10.0 * MYR);
 //! model.add(Uplift { rate: Rate::of(1.0).into() })?;
-//! model.add(StreamPower { erodibility: Some(Erodibility::of(1e-5).into()), ..StreamPower::default() })?;
+//! let rock = Some(Erodibility::of(1e-5).into());
+//! model.add(StreamPower { erodibility: rock, limiting_slope: Some(0.0), ..StreamPower::default() })?;
 //! model.advance_steps(10)?;
 //! let z = model.terrain().elevation();
 //! let (slope, area) = ((z[6] - z[7]) / 100.0, 3e4_f64);
@@ -79,13 +89,13 @@ use landform_core::field::names;
 use landform_core::grid::{Domain, Status};
 use landform_core::terrain::{HeightField, Layer, Layers, Mesh, NodeSurface};
 use landform_core::units::{MYR, YEAR};
-use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step};
+use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step, Varying};
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
 
 use crate::mechanism::{write_channel_steepness_fields, write_drainage_fields};
 use braun_willett_2013::sweep;
-pub use params::StreamPower;
+pub use params::{Lattice, StreamPower};
 use rock::{Rock, sweep_layers};
 use yuan_2019::Sediment;
 
@@ -100,6 +110,8 @@ pub struct State<D> {
     erodibility: Resolved,
     /// Rainfall over its mean; none where it is uniform.
     rain: Option<Vec<f64>>,
+    /// Rainfall in the last step, where it changes in time, m/s.
+    rain_now: Option<f64>,
     /// Nodes held at a base level, and the level, m; none with outlets at the sea.
     base: Vec<(u32, f64)>,
     /// Level of the sea after the last step, m.
@@ -182,6 +194,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         }
         let base = if self.ends_in_sea() { nodes_below_sea(terrain) } else { base_levels(terrain)? };
         let rain = match self.rainfall.as_ref().or(context.environment.rainfall.as_ref()) {
+            // Its weight is found in every step.
+            Some(Varying::InTime(_)) => None,
             Some(rainfall) => {
                 let rain = rainfall.resolve("rainfall", terrain, context)?;
                 let relative = relative_rain(&rain, &*terrain.domain())?;
@@ -191,7 +205,15 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             }
             None => None,
         };
-        Ok(State { erodibility, rain, base, sea_level, sea_start: sea_level, scratch: Scratch::default() })
+        Ok(State {
+            erodibility,
+            rain,
+            rain_now: None,
+            base,
+            sea_level,
+            sea_start: sea_level,
+            scratch: Scratch::default(),
+        })
     }
 
     fn begin(&self, terrain: &T, state: &mut Self::State, at: &Step) -> Result<()> {
@@ -206,11 +228,18 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             Arc::make_mut(&mut domain).set_status(status);
             state.scratch.domain = Some(domain.clone());
         }
+        let rainfall = self.rainfall.as_ref().or(at.environment.rainfall.as_ref());
+        state.rain_now = rainfall.and_then(|rain| rain.in_time(at.time, at.time + at.dt));
+        let share = state.rain_now.map(|rain| (rain / REFERENCE_RAIN).max(0.0));
         let Scratch { flow, weight, amount, .. } = &mut state.scratch;
-        amount.clone_from(weight);
+        let rained = |amount: &mut Vec<f64>| {
+            amount.clone_from(weight);
+            share.iter().for_each(|share| parallel::update(amount, |_, a| *a *= share));
+        };
+        rained(amount);
         flow.route(&*domain, terrain.elevation(), amount);
         if let Some(exponent) = self.multiple_flow {
-            amount.clone_from(weight);
+            rained(amount);
             flow.accumulate_multiple(&*domain, terrain.elevation(), exponent, amount);
         }
         if self.specific_area {
@@ -228,7 +257,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         }
         let Scratch { flow, amount, sediment, erosion, .. } = &mut state.scratch;
         let floor = if self.ends_in_sea() { state.sea_level } else { f64::NEG_INFINITY };
-        let law = self.law(floor, at.dt);
+        let law = self.law(floor, at.dt, terrain.layers().is_some());
         let (base, erodibility) = (&state.base, &state.erodibility);
         let by_material = self.erodibility.is_none();
         // Layers are read while elevations are found, and follow afterwards; without layers elevations change in place.
@@ -275,6 +304,10 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         let flow = &mut state.scratch.flow;
         write_drainage_fields(terrain, &domain, flow, self.ends_in_sea().then_some(state.sea_level))?;
         write_channel_steepness_fields(terrain, &domain, flow, self.area_exponent / self.slope_exponent)?;
+        if let Some(rain) = state.rain_now {
+            let all = vec![rain; terrain.elevation().len()];
+            terrain.fields_mut().insert(&names::RAINFALL, all)?;
+        }
         let erosion = std::mem::take(&mut state.scratch.erosion);
         if !erosion.is_empty() {
             terrain.fields_mut().insert(&names::EROSION_RATE, erosion)?;

@@ -9,6 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use super::law::Law;
 
+/// Slope that ground approaches and does not exceed, where none is given.
+const USUAL_LIMITING_SLOPE: f64 = 0.9;
+/// Least drainage area where slopes have a limit, m².
+const LEAST_AREA: f64 = 5_000.0;
+
 /// Stream-power erosion: rivers cut their beds and may deposit sediment, dz/dt = -k A^m S^n + G Q/A. Lakes spill over their
 /// lowest pass; the sea may rise and fall.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -25,10 +30,18 @@ pub struct StreamPower {
     /// Slope exponent n.
     #[schemars(extend("x-min" = 0.5, "x-max" = 4.0))]
     pub slope_exponent: f64,
-    /// Steepest slope that ground can stand at. If not given, each material of layered ground stands at its own angle of repose,
-    /// and other ground has no limit.
+    /// Steepest slope that ground can stand at: what is steeper falls at once, and makes planes of this angle. If not given, there is
+    /// none, but where `limiting_slope` is 0 each material of layered ground stands at its own angle of repose.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Option<Angle>,
+    /// Slope S_d that ground approaches and does not exceed: erosion is k A^m S^n/(1 - S/S_d), so that the steep heads of valleys
+    /// are gullies rather than planes of one angle. With 0 there is no such slope. If not given, there is none where a talus
+    /// angle is given; each material of layered ground has its own; other ground has 0.9. With it A is at least 5,000 m2, so that slopes do not grow as cells
+    /// shrink.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 20.0))]
+    pub limiting_slope: Option<f64>,
+    /// Where the nodes of a raster stand while rivers run. On meshes it has no effect.
+    pub lattice: Lattice,
     /// Speed at which slopes above the talus angle are lowered, per unit of slope in excess. If not given, they are lowered at
     /// once.
     #[schemars(extend("x-above" = 0.0))]
@@ -37,7 +50,7 @@ pub struct StreamPower {
     /// carry everything away; rivers on sediment have about 0.2 to 2.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100.0))]
     pub deposition: f64,
-    /// Rainfall. Drainage area is weighted by rainfall over 1 m/yr, so a wetter land is worn more; the discharge of rivers follows
+    /// Rainfall; may vary in space or change in time. Drainage area is weighted by rainfall over 1 m/yr, so a wetter land is worn more; the discharge of rivers follows
     /// from it. If not given, it is the environment's rainfall, or else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Varying<RateDimension>>,
@@ -65,6 +78,18 @@ pub struct StreamPower {
     pub multiple_flow: Option<f64>,
 }
 
+/// Where the nodes of a raster stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Lattice {
+    /// Off the centres of their cells, up to half a cell each way, so that rivers do not follow the lattice. Heights go there by
+    /// smooth curves when the run begins, and back to the centres when it ends.
+    #[default]
+    Jittered,
+    /// On the centres of their cells. Rivers then keep to eight directions.
+    Regular,
+}
+
 impl Default for StreamPower {
     fn default() -> Self {
         Self {
@@ -72,6 +97,8 @@ impl Default for StreamPower {
             area_exponent: 0.5,
             slope_exponent: 1.0,
             talus_angle: None,
+            limiting_slope: None,
+            lattice: Lattice::Jittered,
             talus_relaxation: None,
             deposition: 0.0,
             rainfall: None,
@@ -87,7 +114,7 @@ impl Default for StreamPower {
 
 impl Params for StreamPower {
     const NAME: &'static str = "stream_power";
-    const IN_TIME: &'static [&'static str] = &["erodibility"];
+    const IN_TIME: &'static [&'static str] = &["erodibility", "rainfall"];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Braun & Willett (2013)",
@@ -124,7 +151,21 @@ impl Params for StreamPower {
             title: "Controls on the spacing of first-order valleys, JGR Earth Surface 113",
             doi: "10.1029/2007JF000977",
         },
+        Source {
+            authors: "Stock & Dietrich (2003)",
+            title: "Valley incision by debris flows: Evidence of a topographic signature, Water Resources Research 39(4)",
+            doi: "10.1029/2001WR001057",
+        },
+        Source {
+            authors: "McGuire et al. (2023)",
+            title: "Steady-state forms of channel profiles shaped by debris flow and fluvial processes, Earth Surface Dynamics 11",
+            doi: "10.5194/esurf-11-1117-2023",
+        },
     ];
+
+    fn jitters(&self) -> bool {
+        self.lattice == Lattice::Jittered
+    }
 
     fn check(&self) -> Result<()> {
         if self.talus_relaxation.is_some() && self.talus_angle.is_none() {
@@ -143,17 +184,29 @@ impl Params for StreamPower {
 
 impl StreamPower {
     /// The law of a step, with the sea at `sea_level`.
-    pub(super) fn law(&self, sea_level: f64, dt: f64) -> Law {
+    pub(super) fn law(&self, sea_level: f64, dt: f64, layered: bool) -> Law {
+        let limits_by_material = layered && self.limiting_slope.is_none() && self.talus_angle.is_none();
+        let limiting_slope = self.limiting_slope(layered);
         Law {
             area_exponent: self.area_exponent,
             slope_exponent: self.slope_exponent,
             greatest_slope: self.talus_angle.map_or(f64::INFINITY, |a| math::tan(a.si())),
             relaxation: self.talus_relaxation.map_or(f64::INFINITY, |speed| speed.si() * dt),
+            limiting_slope,
+            limits_by_material,
+            least_area: if limits_by_material || limiting_slope.is_finite() { LEAST_AREA } else { 0.0 },
             sea_level,
             deposition: self.deposition,
             threshold: self.threshold,
             dt,
         }
+    }
+
+    /// The slope that ground does not exceed; infinite for none.
+    fn limiting_slope(&self, layered: bool) -> f64 {
+        let usual = if layered || self.talus_angle.is_some() { 0.0 } else { USUAL_LIMITING_SLOPE };
+        let slope = self.limiting_slope.unwrap_or(usual);
+        if slope > 0.0 { slope } else { f64::INFINITY }
     }
 
     /// Sea level at a time, if there is a sea.

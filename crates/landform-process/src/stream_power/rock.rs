@@ -40,11 +40,30 @@ impl Rock<'_> {
         }
     }
 
+    /// The slope that ground of a material, or without layers, approaches and does not exceed.
+    #[inline]
+    fn limit_of(&self, law: &Law, number: impl FnOnce(&Layers) -> u8) -> f64 {
+        match self.layers {
+            Some(layers) if law.limits_by_material => layers.materials().get(number(layers)).limiting_slope,
+            _ => law.limiting_slope,
+        }
+    }
+
+    /// That slope at the surface of a node at `z`.
+    #[inline]
+    pub(super) fn limiting_slope(&self, law: &Law, node: usize, z: f64) -> f64 {
+        self.limit_of(law, |layers| layers.surface_number(node, z))
+    }
+
     /// The drop over `length` that ground at `z` can stand above `base`.
     #[inline]
     pub(super) fn stable_drop(&self, law: &Law, node: usize, z: f64, base: f64, length: f64) -> f64 {
         match self.layers {
-            Some(layers) if !law.greatest_slope.is_finite() => layers.stable_height(node, z, base, length) - base,
+            Some(layers)
+                if !law.greatest_slope.is_finite() && !law.limits_by_material && !law.limiting_slope.is_finite() =>
+            {
+                layers.stable_height(node, z, base, length) - base
+            }
             _ => law.greatest_slope * length,
         }
     }
@@ -63,7 +82,8 @@ impl Rock<'_> {
             if strength == 0.0 {
                 return top - base;
             }
-            let drop = law.worn(top - base + passed * erodibility, strength).min(top - base);
+            let most = self.limit_of(law, |_| stratum.number) * length;
+            let drop = law.worn(top - base + passed * erodibility, strength, most).min(top - base);
             if base + drop >= stratum.bottom {
                 return drop;
             }
@@ -119,8 +139,8 @@ mod tests {
         let k = Resolved::Uniform(0.0);
         let rock = Rock { erodibility: &k, layers: Some(&layers), by_material: true };
         for exponent in [1.0, 2.0, 0.7] {
-            let params = StreamPower { slope_exponent: exponent, ..StreamPower::default() };
-            let law = params.law(f64::NEG_INFINITY, 20_000.0 * YEAR);
+            let params = StreamPower { slope_exponent: exponent, limiting_slope: Some(0.0), ..StreamPower::default() };
+            let law = params.law(f64::NEG_INFINITY, 20_000.0 * YEAR, true);
             let at = (1e6, 30.0);
             let whole = rock.worn(&law, &layers, 4, 100.0, 90.0, at);
             // The equation itself, and that neither material alone would give it.
@@ -129,7 +149,7 @@ mod tests {
             let passed = if z < 97.0 { 3.0 / sand + (97.0 - z) / shale } else { (100.0 - z) / sand };
             let driven = law.dt * math::pow(at.0, 0.5) * math::pow(whole / at.1, exponent);
             assert!((passed / driven - 1.0).abs() < 1e-9, "n {exponent}: {passed} {driven}");
-            let alone = |k: f64| law.worn(10.0, law.strength(k, at.0, at.1));
+            let alone = |k: f64| law.worn(10.0, law.strength(k, at.0, at.1), f64::INFINITY);
             assert!(alone(shale) < whole && whole <= alone(sand), "n {exponent}: {whole}");
         }
     }
@@ -143,7 +163,7 @@ mod tests {
         flow.route(&*domain, ground.elevation(), &mut area);
         let layers = layered(&[("rock", 0.25), ("rock", 0.5)]);
         let law = StreamPower { talus_angle: Some(landform_core::units::Angle::of(80.0)), ..StreamPower::default() }
-            .law(f64::NEG_INFINITY, 1e4 * YEAR);
+            .law(f64::NEG_INFINITY, 1e4 * YEAR, true);
         let k = Resolved::Uniform(layers.surface(0, 0.0).erodibility);
         let plain = Rock { erodibility: &k, layers: None, by_material: false };
         let mut z = ground.elevation().to_vec();

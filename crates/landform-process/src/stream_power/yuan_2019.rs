@@ -19,18 +19,23 @@
 //! the steady slope is ((1 + G) U/K)^(1/n) A^(−m/n) exactly (validation notes 2.19). Davy & Lague (2009) for the ξ–q law behind
 //! it.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use landform_core::algo::flow::Flow;
 use landform_core::grid::{Domain, NO_SLOT};
+use landform_core::parallel;
 use landform_core::verb::Change;
-use landform_core::{math, parallel};
 
 use super::law::Law;
 use super::rock::Rock;
 
 const MOST_ROUNDS: usize = 60;
-const TOLERANCE: f64 = 1e-11;
+/// One node of so many may still decide otherwise when the rounds end.
+const FEW: usize = 100;
+/// Distance of the law from its tangent, over what is worn off, that is not worth another round.
+const TANGENT: f64 = 0.01;
+/// Change of a lake's level after which fill is good to it, m.
+const LEVEL: f64 = 1e-3;
 
 /// State of a node in the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +54,8 @@ enum Regime {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sediment {
     nodes: Vec<Node>,
+    /// F of the law, and G/A: the part of the flux that is laid down, per area.
+    strength: Vec<[f64; 2]>,
     /// What donors send: α and β.
     upstream: Vec<[f64; 2]>,
 }
@@ -59,16 +66,16 @@ struct Node {
     lowering: f64,
     /// Drop to the receiver before the step, m.
     drop: f64,
-    /// Drop at which the law's tangent is laid, for n ≠ 1.
+    /// Drop at which the law's tangent is laid, where the law is curved, m.
     at: f64,
     /// Surface of the water at the node, m.
     level: f64,
-    /// F of the law.
-    strength: f64,
     /// Drop that the ground can stand at, m.
     limit: f64,
     regime: Regime,
 }
+
+const EMPTY: Node = Node { lowering: 0.0, drop: 0.0, at: 1.0, level: 0.0, limit: 0.0, regime: Regime::Lake };
 
 impl Sediment {
     /// Erodes and deposits over `z`; `area` is drainage area.
@@ -81,64 +88,69 @@ impl Sediment {
         area: &[f64],
         z: &mut [f64],
     ) -> Change {
-        let step = Step { domain, flow, law, rock, area, before: z };
+        self.strength.resize(z.len(), [0.0; 2]);
+        let slots = flow.slots();
+        parallel::fill(&mut self.strength, |i| match slots[i] {
+            NO_SLOT => [0.0; 2],
+            slot => {
+                let strength = law.strength(rock.erodibility(i, z[i]), area[i], domain.distance(i, slot));
+                [strength, if area[i] > 0.0 { law.deposition / area[i] } else { 0.0 }]
+            }
+        });
+        let strength = std::mem::take(&mut self.strength);
+        let step = Step { domain, flow, law, rock, strength: &strength, before: z };
         self.prepare(&step);
         for _ in 0..MOST_ROUNDS {
             self.down(&step);
-            if !self.up(&step) {
+            if self.up(&step) <= self.nodes.len() / FEW {
                 break;
             }
         }
-        self.settle(domain, flow, z)
+        self.strength = strength;
+        self.settle(domain, z)
     }
 
-    /// Lowers the ground, and follows the volumes to where they leave.
-    fn settle<D: Domain>(&mut self, domain: &D, flow: &Flow, z: &mut [f64]) -> Change {
+    /// Lowers the ground, and adds up the volumes.
+    fn settle<D: Domain>(&self, domain: &D, z: &mut [f64]) -> Change {
         let nodes = &self.nodes;
         parallel::update(z, |i, z| *z -= nodes[i].lowering);
-        let volume = |i: usize| nodes[i].lowering * domain.area(i);
-        let sum = |sign: f64| parallel::sum(nodes.len(), |i| (sign * volume(i)).max(0.0));
+        let sum = |sign: f64| parallel::sum(nodes.len(), |i| (sign * nodes[i].lowering * domain.area(i)).max(0.0));
         let (eroded, deposited) = (sum(1.0), sum(-1.0));
-        parallel::update(&mut self.upstream, |i, flux| *flux = [volume(i), 0.0]);
-        flow.down(domain, &mut self.upstream, |a, b| [a[0] + b[0], 0.0], |_, flux| flux);
-        let (flux, slots) = (&self.upstream, flow.slots());
-        let exported = parallel::sum(nodes.len(), |i| if slots[i] == NO_SLOT { flux[i][0] } else { 0.0 });
-        Change { eroded, deposited, exported, ..Change::default() }
+        // Every way ends at an outlet, so what does not stay leaves.
+        Change { eroded, deposited, exported: eroded - deposited, ..Change::default() }
     }
 
     /// Without deposition: the first guess.
     fn prepare<D: Domain>(&mut self, step: &Step<'_, D>) {
-        let Step { domain, flow, law, rock, area, before } = *step;
+        let Step { domain, flow, law, rock, strength, before, .. } = *step;
         let (slots, receivers) = (flow.slots(), flow.receivers());
-        let empty =
-            Node { lowering: 0.0, drop: 0.0, at: 1.0, level: 0.0, strength: 0.0, limit: 0.0, regime: Regime::Lake };
-        self.nodes.clear();
-        self.nodes.extend(before.iter().map(|z| Node { level: z.max(law.sea_level), ..empty }));
         self.upstream.resize(before.len(), [0.0; 2]);
+        self.nodes.resize(before.len(), EMPTY);
+        parallel::fill(&mut self.nodes, |i| Node { level: before[i].max(law.sea_level), ..EMPTY });
         flow.up(&mut self.nodes, |i, _, below| {
-            let length = domain.distance(i, slots[i]);
-            let strength = law.strength(rock.erodibility(i, before[i]), area[i], length);
             let base = (before[receivers[i] as usize] - below.lowering).max(law.sea_level);
-            let mut node = Node { drop: before[i] - base - below.lowering, strength, ..empty };
-            node.level = below.level.max(before[i]);
-            if before[i] > below.level {
-                let worn = law.worn(before[i] - base, strength);
-                let limit = rock.stable_drop(law, i, before[i], base, length);
-                let (kept, slides) = law.standing(worn, limit, length);
-                node.regime = if slides { Regime::Talus } else { Regime::River };
-                node.limit = limit;
-                node.lowering = before[i] - base - kept;
-                node.level = base + kept;
-                node.at = worn;
+            let (drop, level) = (before[i] - base, below.level.max(before[i]));
+            let node = Node { drop: drop - below.lowering, level, ..EMPTY };
+            if !(before[i] > below.level) {
+                return node;
             }
-            node
+            let length = domain.distance(i, slots[i]);
+            let most = rock.limiting_slope(law, i, before[i]) * length;
+            let worn = law.worn(drop, strength[i][0], most);
+            let limit = rock.stable_drop(law, i, before[i], base, length);
+            let (kept, slides) = law.standing(worn, limit, length);
+            let regime = if slides { Regime::Talus } else { Regime::River };
+            // Rivers near a balance have the drop that they had.
+            let had = drop - below.lowering;
+            let at = if had > worn && had < 0.9 * most { had } else { worn };
+            Node { lowering: drop - kept, level: base + kept, at, limit, regime, ..node }
         });
     }
 
     /// From the leaves down: what each subtree sends, as a function of the lowering of the node below.
     fn down<D: Domain>(&mut self, step: &Step<'_, D>) {
         let nodes = &self.nodes;
-        self.upstream.fill([0.0; 2]);
+        parallel::update(&mut self.upstream, |_, sums| *sums = [0.0; 2]);
         let add = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
         step.flow.down(step.domain, &mut self.upstream, add, |i, [alpha, beta]| {
             let [constant, factor] = step.lowering(i, &nodes[i], [alpha, beta]);
@@ -147,56 +159,52 @@ impl Sediment {
         });
     }
 
-    /// From the outlets up: lowering, and whether any node decides otherwise than before.
-    fn up<D: Domain>(&mut self, step: &Step<'_, D>) -> bool {
-        let Step { domain, flow, law, rock, before, .. } = *step;
+    /// From the outlets up: lowering; returns how many nodes decide otherwise than before.
+    fn up<D: Domain>(&mut self, step: &Step<'_, D>) -> usize {
+        let Step { domain, flow, law, rock, strength, before, .. } = *step;
         let (slots, receivers, upstream) = (flow.slots(), flow.receivers(), &self.upstream);
-        let changed = AtomicBool::new(false);
+        let changed = AtomicUsize::new(0);
         flow.up(&mut self.nodes, |i, was, below| {
             let [alpha, beta] = upstream[i];
             let base = (before[receivers[i] as usize] - below.lowering).max(law.sea_level);
-            let share = step.share(i);
+            let [strength, share] = strength[i];
             let own = 1.0 + share * (domain.area(i) + beta);
-            let laid = share * alpha / own;
+            let per_own = 1.0 / own;
+            let laid = share * alpha * per_own;
             let drop = before[i] - base;
+            let length = domain.distance(i, slots[i]);
+            let most = rock.limiting_slope(law, i, before[i]) * length;
             let mut node = Node { drop: drop - below.lowering, ..was };
             let mut differs = false;
             // What the river leaves of the drop, what it lays down included.
-            let left = if drop + laid > 0.0 { law.worn(drop + laid, was.strength / own) } else { drop + laid };
+            let left = if drop + laid > 0.0 { law.worn(drop + laid, strength * per_own, most) } else { drop + laid };
             if base + left <= below.level {
                 let fills = before[i] + laid > below.level;
                 node.regime = if fills { Regime::Filled } else { Regime::Lake };
                 node.lowering = if fills { before[i] - below.level } else { -laid };
             } else {
-                let length = domain.distance(i, slots[i]);
                 let limit = rock.stable_drop(law, i, before[i], base, length);
                 let (kept, slides) = law.standing(left, limit, length);
                 node.limit = limit;
                 node.regime = if slides { Regime::Talus } else { Regime::River };
                 node.lowering = drop - kept;
                 node.at = left;
-                differs = law.slope_exponent != 1.0 && (left - was.at).abs() > TOLERANCE * (left + was.at);
+                if law.is_curved() {
+                    let [slope, intercept] = law.tangent(strength, was.at, 1.0 / most);
+                    let worn = own * (drop + laid - left);
+                    differs = (worn - slope * left - intercept).abs() > TANGENT * worn + LEVEL;
+                }
             }
             node.level = below.level.max(before[i] - node.lowering);
-            let risen = (node.level - was.level).abs() > TOLERANCE * (1.0 + node.level.abs());
-            differs |= node.regime != was.regime || (node.regime == Regime::Filled && risen);
+            differs |= node.regime != was.regime;
+            differs |= node.regime == Regime::Filled && (node.level - was.level).abs() > LEVEL;
             if differs {
-                changed.store(true, Ordering::Relaxed);
+                changed.fetch_add(1, Ordering::Relaxed);
             }
             node
         });
         changed.into_inner()
     }
-}
-
-/// Slope and intercept of the tangent of F xⁿ at x.
-fn tangent(law: &Law, strength: f64, x: f64) -> [f64; 2] {
-    let n = law.slope_exponent;
-    if n == 1.0 {
-        return [strength, 0.0];
-    }
-    let power = strength * math::pow(x.max(1e-9), n - 1.0);
-    [n * power, (1.0 - n) * power * x.max(1e-9)]
 }
 
 /// What does not change in the step.
@@ -205,24 +213,23 @@ struct Step<'a, D> {
     flow: &'a Flow,
     law: &'a Law,
     rock: &'a Rock<'a>,
-    area: &'a [f64],
+    /// F of the law and G/A.
+    strength: &'a [[f64; 2]],
     before: &'a [f64],
 }
 
 impl<D: Domain> Step<'_, D> {
-    /// G/A: the part of the flux that is laid down, per area.
-    fn share(&self, i: usize) -> f64 {
-        if self.area[i] > 0.0 { self.law.deposition / self.area[i] } else { 0.0 }
-    }
-
     /// A node's lowering as a function of its receiver's: constant and factor.
+    #[inline]
     fn lowering(&self, i: usize, node: &Node, [alpha, beta]: [f64; 2]) -> [f64; 2] {
-        let share = self.share(i);
+        let [strength, share] = self.strength[i];
         let own = 1.0 + share * (self.domain.area(i) + beta);
         let river = || {
-            let [slope, intercept] = tangent(self.law, node.strength, node.at);
-            let all = own + slope;
-            [(slope * node.drop + intercept - share * alpha) / all, slope / all]
+            let limit = self.rock.limiting_slope(self.law, i, self.before[i]);
+            let per_most = self.domain.inverse_distance(i, self.flow.slots()[i]) / limit;
+            let [slope, intercept] = self.law.tangent(strength, node.at, per_most);
+            let per_all = 1.0 / (own + slope);
+            [(slope * node.drop + intercept - share * alpha) * per_all, slope * per_all]
         };
         match node.regime {
             Regime::River => river(),

@@ -6,6 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use landform_core::Result;
 use landform_core::random::Seed;
 use landform_core::sim::{Every, Model, Simulation, Stop, View};
+use landform_core::stage::ReadStage;
 use landform_core::terrain::{AnyTerrain, Surface, Terrain, Visit};
 use landform_core::verb::{Outcome, Output, Stopped};
 
@@ -33,7 +34,9 @@ impl Visit for Evolving<'_, '_> {
 
     fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
         let clock = &self.evolve.clock;
-        let model = self.model(terrain)?;
+        let jitters = self.evolve.parts.iter().any(ReadStage::jitters);
+        let jittered = jitters.then(|| terrain.jittered(self.seed.named("lattice"))).flatten();
+        let model = self.model(jittered.as_ref().unwrap_or(terrain))?;
         let resume = self.options.resume && self.checkpoint.as_ref().is_some_and(Checkpoint::is_there);
         let saves = self.checkpoint.is_some();
         let watcher = self.watch.map(|watch| Watcher::new(watch, clock.timeless));
@@ -59,7 +62,7 @@ impl Visit for Evolving<'_, '_> {
             open(&beside).save(simulation.model())?;
             return Ok(None);
         }
-        let terrain = simulation.into_terrain().wrap();
+        let terrain = simulation.into_terrain().at_centres().into_owned().wrap();
         let watcher = open(&beside).watcher.take();
         if let Some(note) = watcher.map(|watcher| watcher.finish(self.out)).transpose()?.flatten() {
             (self.options.progress)(Signal::Note(note.into()));

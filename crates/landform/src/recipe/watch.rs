@@ -169,7 +169,8 @@ impl<'a> Watcher<'a> {
     }
 
     pub(super) fn look<T: Surface>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
-        let terrain = ashore(view.terrain);
+        let terrain = view.terrain.at_centres();
+        let terrain = ashore(&*terrain);
         if self.watch.table.is_some() {
             self.row(&*terrain, view);
         }

@@ -5,8 +5,8 @@ use landform_core::field::names;
 use landform_core::grid::{Domain, Edge, Edges, Grid, Shape, Side, Status};
 use landform_core::math;
 use landform_core::random::Seed;
-use landform_core::sim::{Simulation, Stop, Stopped};
-use landform_core::terrain::{HeightField, Mesh, NodeSurface};
+use landform_core::sim::{Model, Simulation, Stop, Stopped};
+use landform_core::terrain::{HeightField, Mesh, NodeSurface, Rasterize};
 use landform_core::units::{Angle, Erodibility, KYR, Length, MYR, Rate, YEAR};
 use landform_core::verb::{Context, Generator, Outlets, Resolved};
 
@@ -43,6 +43,7 @@ fn law(m: f64, n: f64) -> StreamPower {
         erodibility: Some(Erodibility::of(K).into()),
         area_exponent: m,
         slope_exponent: n,
+        limiting_slope: Some(0.0),
         ..StreamPower::default()
     }
 }
@@ -100,6 +101,23 @@ fn slope_and_area_obey_the_law_at_every_node_of_a_raster() {
 }
 
 #[test]
+fn steep_valleys_have_their_steady_slopes_at_every_node() {
+    // S = S_d/(1 + (K S_d/U) A^m) for n = 1, with A of 5,000 m² at least.
+    let params = StreamPower { limiting_slope: Some(0.9), ..law(0.5, 1.0) };
+    for (lattice, deposition) in [(false, 0.0), (true, 0.0), (true, 0.5)] {
+        let mut field = raster(40, 1);
+        if lattice {
+            field = field.jittered(Seed(4)).unwrap();
+        }
+        let terrain = steady(field, StreamPower { deposition, ..params.clone() }, 10.0 * MYR);
+        for [area, slope, ..] in profile(&terrain, 0.5) {
+            let expected = 0.9 / (1.0 + K * 0.9 / (U * (1.0 + deposition)) * area.max(5000.0).sqrt());
+            assert!((slope / expected - 1.0).abs() < 1e-6, "{lattice} {deposition}: {area} {slope} {expected}");
+        }
+    }
+}
+
+#[test]
 fn slope_and_area_obey_the_law_at_every_node_of_a_mesh() {
     check_slope_area(&steady(mesh(2_000), law(0.5, 1.0), 10.0 * MYR), 0.5, 1.0);
 }
@@ -146,7 +164,7 @@ fn one_endless_step_on_fixed_receivers_is_the_steady_state() {
     let mut z: Vec<f64> = (0..area.len())
         .map(|i| terrain.elevation()[i] + if domain.status()[i] == Status::Interior { U / YEAR * dt } else { 0.0 })
         .collect();
-    let law = law(0.5, 1.0).law(f64::NEG_INFINITY, dt);
+    let law = law(0.5, 1.0).law(f64::NEG_INFINITY, dt, false);
     let k = Resolved::Uniform(K / YEAR);
     let rock = Rock { erodibility: &k, layers: None, by_material: false };
     sweep(&*domain, &flow, &law, &rock, &area, &mut z);

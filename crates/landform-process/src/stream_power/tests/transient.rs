@@ -199,3 +199,23 @@ fn creep_and_rivers_share_an_unchannelized_strip() {
         assert!((found / expected - 1.0).abs() < 0.01, "at {x} m: {found} {expected}");
     }
 }
+
+#[test]
+fn rain_that_changes_in_time_is_that_of_each_step() {
+    let wet = |rainfall: &str, steps: u64| {
+        let rivers = StreamPower { rainfall: Some(serde_json::from_str(rainfall).unwrap()), ..law(0.5, 1.0) };
+        let mut model = Model::new(raster(24, 3)).dt(50.0 * KYR);
+        model.add(uplift(0.5)).unwrap();
+        model.add(rivers).unwrap();
+        model.advance_steps(steps).unwrap();
+        model.finish().unwrap();
+        model.into_terrain()
+    };
+    let (steady, course) = ("\"2 m/yr\"", r#"{ "times": ["0 yr", "1 Myr"], "values": ["2 m/yr", "2 m/yr"] }"#);
+    assert_eq!(wet(steady, 6).elevation(), wet(course, 6).elevation());
+    let dry = wet(r#"{ "times": ["0 yr", "300 kyr"], "values": ["2 m/yr", "0.5 m/yr"] }"#, 6);
+    let mean = |terrain: &HeightField| terrain.elevation().iter().sum::<f64>();
+    assert!(mean(&dry) > mean(&wet(steady, 6)) * 1.05);
+    let rain = dry.fields.get(&names::RAINFALL, "").unwrap()[0] * YEAR;
+    assert!((rain - 0.625).abs() < 1e-9, "{rain}");
+}

@@ -19,6 +19,7 @@ fn strip(index: f64, rows: usize, cols: usize, times: f64, steps: u64) -> Vec<f6
         erodibility: Some(Erodibility::of(k).into()),
         multiple_flow: Some(1.1),
         specific_area: true,
+        limiting_slope: Some(0.0),
         ..StreamPower::default()
     };
     let creep = LinearDiffusion { diffusivity: Diffusivity::of(d).into() };

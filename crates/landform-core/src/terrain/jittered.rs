@@ -1,0 +1,75 @@
+//! A raster on nodes off the centres of its cells, and back.
+
+use super::{HeightField, Interpolation, NodeSurface, sample_by};
+use crate::field::names;
+use crate::grid::{Domain, Grid, Jitter, Status};
+use crate::parallel;
+use crate::random::Seed;
+
+impl HeightField {
+    /// Elevations at the jittered places, by smooth curves through the nodes. Base levels, nodata and sides stay as they are, and so
+    /// do fields and the depths of layers. **Cost** O(n).
+    pub(super) fn off_centres(&self, seed: Seed) -> Option<Self> {
+        let regular = self.grid();
+        if regular.jitter.is_some() || regular.shape.rows < 3 || regular.shape.cols < 3 {
+            return None;
+        }
+        let grid = Grid { jitter: Some(Jitter { seed }), ..regular.clone() };
+        let (domain, old) = (self.domain(), self.elevation());
+        let stays = |i: usize| domain.status()[i] != Status::Interior;
+        let new = parallel::map(old.len(), |i| {
+            let there = if stays(i) { old[i] } else { sample_by(Interpolation::Cubic, regular, old, grid.position(i)) };
+            if there.is_nan() { old[i] } else { there }
+        });
+        let mut field = self.clone();
+        field.set_grid(grid).ok()?;
+        field.parts_mut().0.copy_from_slice(&new);
+        Some(field)
+    }
+
+    /// Elevations at the centres of the cells, by planes through the nodes around them; base levels keep theirs. Lakes keep their
+    /// level. None if the nodes are there already. **Cost** O(n).
+    pub(super) fn on_centres(&self) -> Option<Self> {
+        let domain = self.domain();
+        let centres = domain.centres()?;
+        let old = self.elevation();
+        let new = centres.values(old);
+        let mut field = self.clone();
+        if let Ok(depth) = self.fields.get(&names::LAKE_DEPTH, "lakes") {
+            let depth =
+                parallel::map(
+                    old.len(),
+                    |i| {
+                        if depth[i] > 0.0 { (old[i] + depth[i] - new[i]).max(0.0) } else { depth[i] }
+                    },
+                );
+            field.fields.insert(&names::LAKE_DEPTH, depth).ok()?;
+        }
+        field.set_grid(Grid { jitter: None, ..self.grid().clone() }).ok()?;
+        field.parts_mut().0.copy_from_slice(&new);
+        Some(field)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Shape;
+    use crate::terrain::Rasterize;
+
+    #[test]
+    fn a_plane_goes_off_the_centres_and_comes_back() {
+        let grid = Grid::new(Shape::new(20, 30), [10.0; 2]).unwrap();
+        let plane = |[x, y]: [f64; 2]| 100.0 + 0.5 * x - 0.25 * y;
+        let z: Vec<f64> = (0..grid.len()).map(|i| plane(grid.position(i))).collect();
+        let regular = HeightField::new(grid, z).unwrap();
+        let jittered = regular.jittered(Seed(3)).unwrap();
+        assert!(jittered.jittered(Seed(3)).is_none());
+        assert!((0..600).all(|i| (jittered.elevation()[i] - plane(jittered.position(i))).abs() < 1e-9));
+        let moved = (0..600).filter(|&i| (jittered.elevation()[i] - regular.elevation()[i]).abs() > 0.5).count();
+        assert!(moved > 300, "{moved}");
+        let back = jittered.at_centres();
+        assert!((0..600).all(|i| (back.elevation()[i] - regular.elevation()[i]).abs() < 1e-4));
+        assert_eq!(back.grid(), regular.grid());
+    }
+}

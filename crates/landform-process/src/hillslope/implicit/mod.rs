@@ -1,0 +1,130 @@
+//! Creep over a step, implicitly: links whose flux is in proportion to their drop.
+//!
+//! # Method
+//! Finite volumes over the graph: on a raster the five-point stencil, on a mesh Voronoi faces. Backward Euler. On rasters without
+//! periodic sides by over-relaxation in two colours ([`rows`]), else by conjugate gradients ([`links`]).
+
+mod links;
+mod rows;
+
+use std::borrow::Cow;
+
+use landform_core::grid::{Centres, Domain, Link, Status};
+use landform_core::terrain::{Layer, NodeSurface};
+use landform_core::verb::{Change, Resolved};
+use landform_core::{Result, parallel};
+use links::Links;
+use rows::Rows;
+
+/// Error of the change over the greatest change.
+const TOLERANCE: f64 = 1e-12;
+
+/// The links of a graph with their conductances.
+#[derive(Clone, Debug)]
+pub(super) struct System {
+    solver: Solver,
+    /// Heights at the centres of cells, where nodes stand off them.
+    centres: Option<Centres>,
+    /// Inner nodes, base levels beside them, and the conductance between them, m²/s.
+    exits: Vec<(u32, u32, f64)>,
+    area: Vec<f64>,
+}
+
+#[derive(Clone, Debug)]
+enum Solver {
+    Rows(Box<Rows>),
+    Links(Links),
+}
+
+impl System {
+    pub(super) fn new<D: Domain>(domain: &D, diffusivity: &Resolved) -> Self {
+        let rows = domain.five_point().map(|shape| Solver::Rows(Box::new(Rows::new(domain, shape, diffusivity))));
+        let status = domain.status();
+        let mut exits = Vec::new();
+        for i in (0..domain.len()).filter(|&i| status[i] == Status::Interior) {
+            for link in domain.neighbours(i).filter(|l| status[l.to] == Status::BaseLevel) {
+                let g = between(domain, diffusivity, i, link);
+                if g > 0.0 {
+                    exits.push((i as u32, link.to as u32, g));
+                }
+            }
+        }
+        Self {
+            solver: rows.unwrap_or_else(|| Solver::Links(Links::new(domain, diffusivity))),
+            centres: domain.centres(),
+            exits,
+            area: (0..domain.len()).map(|i| domain.area(i)).collect(),
+        }
+    }
+
+    /// The rise of every node in one backward-Euler step, and the one that fluxes at its end belong to.
+    pub(super) fn rise(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
+        match &mut self.solver {
+            Solver::Rows(rows) => rows.rise(z, dt),
+            Solver::Links(links) => links.rise(z, dt).map(|rise| [rise.clone(), rise]),
+        }
+    }
+
+    /// The heights that creep acts on: those at the centres of cells, where nodes stand off them.
+    pub(super) fn heights<'z>(&self, z: &'z [f64]) -> Cow<'z, [f64]> {
+        self.centres.as_ref().map_or(Cow::Borrowed(z), |centres| Cow::Owned(centres.values(z)))
+    }
+
+    /// Moves the ground by a rise over heights; returns the volumes moved.
+    pub(super) fn settle<T: NodeSurface>(
+        &self,
+        terrain: &mut T,
+        heights: &[f64],
+        rise: &[f64],
+        end: &[f64],
+        dt: f64,
+    ) -> Change {
+        terrain.change(Layer::Surface("soil"), |z| parallel::update(z, |i, v| *v += rise[i]));
+        let volume = |up: f64| parallel::sum(rise.len(), |i| (up * rise[i]).max(0.0) * self.area[i]);
+        let exported = self.outflow(heights, end) * dt;
+        Change { eroded: volume(-1.0), deposited: volume(1.0), exported, ..Change::default() }
+    }
+
+    /// Volume flux from inner nodes to base levels after a rise, m³/s.
+    fn outflow(&self, z: &[f64], rise: &[f64]) -> f64 {
+        let after = |i: u32| z[i as usize] + rise[i as usize];
+        parallel::sum(self.exits.len(), |k| {
+            let (i, base, g) = self.exits[k];
+            g * (after(i) - after(base))
+        })
+    }
+}
+
+/// Conductance of a link times the mean diffusivity of its ends, m²/s.
+fn between<D: Domain>(domain: &D, diffusivity: &Resolved, node: usize, link: Link) -> f64 {
+    domain.conductance(node, link.slot).max(0.0) * 0.5 * (diffusivity.at(node) + diffusivity.at(link.to))
+}
+
+#[cfg(test)]
+mod tests {
+    use landform_core::grid::{Edge, Edges, Grid, Shape};
+    use landform_core::terrain::HeightField;
+    use landform_core::units::{KYR, YEAR};
+
+    use super::*;
+
+    #[test]
+    fn rows_and_links_give_the_same() {
+        let mut grid = Grid::new(Shape::new(23, 38), [10.0, 14.0]).unwrap();
+        grid.edges = Edges { north: Edge::Closed, ..Edges::default() };
+        let mut z: Vec<f64> =
+            (0..grid.len()).map(|i| 50.0 * landform_core::random::Seed(1).uniform(i as u64)).collect();
+        z[400] = f64::NAN;
+        let field = HeightField::new(grid.clone(), z.clone()).unwrap();
+        let domain = field.domain();
+        let varied = Resolved::PerNode((0..grid.len()).map(|i| 0.01 / YEAR * (1.0 + (i % 7) as f64)).collect());
+        for dt in [KYR, 300.0 * KYR, 1e5 * KYR] {
+            let shape = domain.five_point().unwrap();
+            let [rows, end] = Rows::new(&*domain, shape, &varied).rise(&z, dt).unwrap();
+            let links = Links::new(&*domain, &varied).rise(&z, dt).unwrap();
+            for i in (0..z.len()).filter(|&i| i != 400) {
+                assert!((rows[i] - links[i]).abs() < 1e-7 && (end[i] - links[i]).abs() < 1e-9, "{dt} {i}");
+            }
+        }
+    }
+}
