@@ -9,7 +9,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Grid, Shape};
+use super::{Grid, Shape, Status};
 use crate::parallel;
 use crate::random::Seed;
 
@@ -18,7 +18,7 @@ const AMOUNT: f64 = 0.5;
 /// Least distance between neighbours, in cells.
 const NEAREST: f64 = 0.3;
 /// Distance at which a node no longer counts for the centre of a cell, in cells.
-const FARTHEST: f64 = 1.5;
+const FARTHEST: f64 = 1.9;
 
 /// By which seed the nodes of a raster stand off the centres of their cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -83,7 +83,7 @@ fn offsets(grid: &Grid, jitter: Jitter) -> Vec<[f32; 2]> {
 }
 
 /// The value at the centre of every cell: that of the plane through the nodes of the nine cells around it, those near the centre
-/// counting most. Cells for which `keeps` is true keep the node's, as do those on sides.
+/// counting most. Base levels keep the node's, as do sides; nodata is left out.
 #[derive(Clone, Debug)]
 pub struct Centres {
     shape: Shape,
@@ -96,28 +96,48 @@ const AROUND: [[isize; 2]; 8] = [[-1, -1], [-1, 0], [-1, 1], [0, -1], [0, 1], [1
 
 impl Centres {
     /// The weights for nodes that stand so many columns east and rows south of the centres.
-    pub(super) fn new(shape: Shape, offset: &[[f32; 2]], keeps: impl Fn(usize) -> bool + Sync) -> Self {
+    pub(super) fn new(shape: Shape, offset: &[[f32; 2]], status: &[Status]) -> Self {
         let weights = parallel::map(offset.len(), |i| {
             let cell = shape.cell(i);
             let on_rim = cell.row == 0 || cell.col == 0 || cell.row + 1 == shape.rows || cell.col + 1 == shape.cols;
-            if on_rim || keeps(i) {
+            if on_rim || status[i] != Status::Interior {
                 return [0.0; 8];
             }
-            plane(offset[i], |k| offset[at(shape, i, AROUND[k])])
+            plane(offset[i], |k| {
+                let to = at(shape, i, AROUND[k]);
+                (status[to] != Status::Masked).then_some(offset[to])
+            })
         });
         Self { shape, weights }
     }
 
-    /// The values at the centres; one that is not a number counts as the node's own.
+    /// The values at the centres.
     pub fn values(&self, nodes: &[f64]) -> Vec<f64> {
         parallel::map(nodes.len(), |i| {
             let own = nodes[i];
-            let mut sum = 0.0;
-            for (k, &weight) in self.weights[i].iter().enumerate().filter(|(_, w)| **w != 0.0) {
-                let difference = nodes[at(self.shape, i, AROUND[k])] - own;
-                sum += if difference.is_nan() { 0.0 } else { f64::from(weight) * difference };
-            }
+            let linked = self.weights[i].iter().enumerate().filter(|(_, w)| **w != 0.0);
+            let sum: f64 = linked.map(|(k, &w)| f64::from(w) * (nodes[at(self.shape, i, AROUND[k])] - own)).sum();
             own + sum
+        })
+    }
+
+    /// Amounts at the centres as amounts at the nodes, by the same weights: their sum stays.
+    pub fn spread(&self, centres: &[f64]) -> Vec<f64> {
+        let Shape { rows, cols } = self.shape;
+        parallel::map(centres.len(), |i| {
+            let given: f64 = self.weights[i].iter().map(|&w| f64::from(w)).sum();
+            let mut sum = centres[i] * (1.0 - given);
+            let cell = self.shape.cell(i);
+            for (k, &[row, col]) in AROUND.iter().enumerate() {
+                let (r, c) = (cell.row.checked_add_signed(row), cell.col.checked_add_signed(col));
+                if let (Some(r), Some(c)) = (r.filter(|r| *r < rows), c.filter(|c| *c < cols)) {
+                    let from = self.shape.index(r, c);
+                    // Seen from there this node lies the other way.
+                    let weight = self.weights[from][7 - k];
+                    sum += if weight == 0.0 { 0.0 } else { f64::from(weight) * centres[from] };
+                }
+            }
+            sum
         })
     }
 }
@@ -128,18 +148,19 @@ fn at(shape: Shape, node: usize, [row, col]: [isize; 2]) -> usize {
 }
 
 /// Weights of the eight neighbours' differences in the plane's value at the centre.
-fn plane(own: [f32; 2], other: impl Fn(usize) -> [f32; 2]) -> [f32; 8] {
-    let place = |k: usize| {
-        let (o, [row, col]) = (other(k), AROUND[k]);
-        [col as f64 + f64::from(o[0]), row as f64 + f64::from(o[1])]
-    };
+fn plane(own: [f32; 2], other: impl Fn(usize) -> Option<[f32; 2]>) -> [f32; 8] {
     let weight = |[x, y]: [f64; 2]| {
         let near = (1.0 - (x * x + y * y) / (FARTHEST * FARTHEST)).max(0.0);
         let square = near * near;
         square * square
     };
     let mut all = [([0.0; 2], 0.0); 9];
-    (0..8).for_each(|k| all[k] = (place(k), weight(place(k))));
+    for (k, [row, col]) in AROUND.into_iter().enumerate() {
+        if let Some(o) = other(k) {
+            let place = [col as f64 + f64::from(o[0]), row as f64 + f64::from(o[1])];
+            all[k] = (place, weight(place));
+        }
+    }
     let own = own.map(f64::from);
     all[8] = (own, weight(own));
     let sum = |f: &dyn Fn([f64; 2]) -> f64| all.iter().map(|&(p, w)| w * f(p)).sum::<f64>();
@@ -218,6 +239,21 @@ mod tests {
             assert!((centres[i] - plane(plain.position(i))).abs() < 1e-4, "{i}");
         }
         assert_eq!(centres[45], nodes[45]);
+        // The other way keeps the sum, and is the transpose.
+        let weights = domain.centres().unwrap();
+        let rough = |k: u64| (0..grid.len()).map(|i| Seed(k).uniform(i as u64) - 0.5).collect::<Vec<f64>>();
+        let (a, b) = (rough(1), rough(2));
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        assert!((weights.spread(&a).iter().sum::<f64>() - a.iter().sum::<f64>()).abs() < 1e-9);
+        assert!((dot(&weights.values(&b), &a) - dot(&b, &weights.spread(&a))).abs() < 1e-9);
+        // Creep there and back must not amplify: the greatest factor is below 2.
+        let mut v = a;
+        for _ in 0..100 {
+            let norm = dot(&v, &v).sqrt();
+            v.iter_mut().for_each(|v| *v /= norm);
+            v = weights.spread(&weights.values(&v));
+        }
+        assert!(dot(&v, &v).sqrt() < 1.9, "{}", dot(&v, &v).sqrt());
         assert!(RasterDomain::new(&plain, &[]).centres().is_none());
     }
 }

@@ -429,7 +429,7 @@ impl Domain for RasterDomain {
 
     fn centres(&self) -> Option<Centres> {
         let jittered = self.jittered.as_ref()?;
-        Some(Centres::new(self.shape, &jittered.offset, |i| self.status[i] != Status::Interior))
+        Some(Centres::new(self.shape, &jittered.offset, &self.status))
     }
 
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {

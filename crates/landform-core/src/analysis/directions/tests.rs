@@ -23,7 +23,8 @@ fn an_eight_sided_cone_shows_its_lattice_and_a_round_one_does_not() {
     assert!(value(&facets, "aspect_peak") > 4.0 && value(&facets, "plane_share") > 0.5, "{facets:?}");
     assert!(facets.outside().contains(&"aspect_peak") && facets.outside().contains(&"slope_mode"));
     assert!(value(&round, "aspect_peak") < 1.6, "{round:?}");
-    assert!((value(&round, "aspect_45") - 1.0).abs() < 0.1, "{round:?}");
+    // On eight rays through its top a lattice holds slopes that face along it exactly.
+    assert!((value(&round, "aspect_45") - 1.0).abs() < 0.2, "{round:?}");
 }
 
 #[test]

@@ -79,9 +79,20 @@ impl System {
         end: &[f64],
         dt: f64,
     ) -> Change {
+        let mut rise = Cow::Borrowed(rise);
+        let mut exported = self.outflow(heights, end) * dt;
+        if let Some(centres) = &self.centres {
+            let domain = terrain.domain();
+            let status = domain.status();
+            let mut spread = centres.spread(&rise);
+            let held = |i: usize| status[i] != Status::Interior;
+            // What comes to rest on a base level leaves.
+            exported += parallel::sum(spread.len(), |i| if held(i) { spread[i] * self.area[i] } else { 0.0 });
+            parallel::update(&mut spread, |i, rise| *rise = if held(i) { 0.0 } else { *rise });
+            rise = Cow::Owned(spread);
+        }
         terrain.change(Layer::Surface("soil"), |z| parallel::update(z, |i, v| *v += rise[i]));
         let volume = |up: f64| parallel::sum(rise.len(), |i| (up * rise[i]).max(0.0) * self.area[i]);
-        let exported = self.outflow(heights, end) * dt;
         Change { eroded: volume(-1.0), deposited: volume(1.0), exported, ..Change::default() }
     }
 
