@@ -18,11 +18,16 @@ pub(super) struct Channels {
     pub(super) near_45: f64,
 }
 
-/// The channels of a raster, on `least` nodes of area and more; none where there are none.
-pub(super) fn channels<D: Domain>(grid: &Grid, drainage: &Drainage<D>, least: f64) -> Option<Channels> {
+/// The channels of a raster, on `least` nodes of area and more, where ground slopes; none where there are none.
+pub(super) fn channels<D: Domain>(
+    grid: &Grid,
+    drainage: &Drainage<D>,
+    least: f64,
+    slopes: impl Fn(usize) -> bool + Sync,
+) -> Option<Channels> {
     let (receivers, slots) = (drainage.flow.receivers(), drainage.flow.slots());
     let least = least * grid.cell_area() * (1.0 - 1e-9);
-    let on = |i: usize| drainage.area[i] >= least && slots[i] != NO_SLOT;
+    let on = |i: usize| drainage.area[i] >= least && slots[i] != NO_SLOT && slopes(i);
     // The donor with the largest area goes on into its receiver.
     let mut main = vec![u32::MAX; receivers.len()];
     for i in (0..receivers.len()).filter(|&i| on(i)) {
@@ -40,7 +45,7 @@ pub(super) fn channels<D: Domain>(grid: &Grid, drainage: &Drainage<D>, least: f6
         let (mut run, mut at) = (1, i);
         loop {
             let to = receivers[at] as usize;
-            if slots[to] != slots[i] || main[to] as usize != at {
+            if slots[to] != slots[i] || main[to] as usize != at || !on(to) {
                 break;
             }
             run += 1;

@@ -50,7 +50,7 @@ pub struct Gate {
 /// Directions, facets and slopes of a raster.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Directions {
-    /// Nodes whose eight neighbours have data.
+    /// Nodes with a slope whose eight neighbours have data.
     pub nodes: usize,
     /// Cell, m.
     pub cell_size: f64,
@@ -89,11 +89,12 @@ const GATES: [(&str, f64, f64, &str); 11] = [
 /// Measures the directions of a raster, with its network as it was measured. **Cost** O(n log n).
 pub fn directions<D: Domain>(grid: &Grid, z: &[f64], drainage: &Drainage<D>, network: &Network) -> Directions {
     let slopes = parallel::map(z.len(), |i| math::atan(gradient(grid, z, i).slope()).to_degrees());
-    let faces: Vec<usize> = (0..z.len()).filter(|&i| is_whole(grid, z, i)).collect();
+    // Water has no slope.
+    let faces: Vec<usize> = (0..z.len()).filter(|&i| slopes[i] > 0.0 && is_whole(grid, z, i)).collect();
     let steep: Vec<usize> = faces.iter().copied().filter(|&i| slopes[i] > LEAST_SLOPE).collect();
     let (mode, skew, mean) = shape_of(&faces, &slopes);
     let facing = aspects(grid, z, &steep);
-    let running = channels(grid, drainage, CHANNEL);
+    let running = channels(grid, drainage, CHANNEL, |i| slopes[i] > 0.0);
     let values = [
         facing.map(|a| a.peak),
         facing.map(|a| a.near_45),
