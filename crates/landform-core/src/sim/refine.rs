@@ -1,4 +1,4 @@
-//! From coarse to fine: steady states, and runs over a time.
+//! Steady states from coarse to fine.
 
 use super::Model;
 use super::model::Clock;
@@ -28,11 +28,17 @@ impl<T: Terrain> Refining<T> {
 
     /// Starts with the shape that coarser levels reached. Observers are not called for those.
     pub(super) fn start(&self, model: &mut Model<T>, steady: Option<f64>, watched: Option<Watched<T>>) -> Result<()> {
-        let mut levels = self.levels(&model.terrain);
+        let mut levels: Vec<T> = Vec::new();
+        for _ in 0..self.levels {
+            match (self.coarser)(levels.last().unwrap_or(&model.terrain)) {
+                Some(coarser) => levels.push(coarser),
+                None => break,
+            }
+        }
         let mut coarse: Option<T> = None;
         while let Some(level) = levels.pop() {
             let fine = model.exchange(level);
-            if self.start_shaped(model, coarse.as_ref(), Clock::default()).is_err() {
+            if self.start_shaped(model, coarse.as_ref()).is_err() {
                 // Too coarse, for the outlets that were asked for for example; the finest level says what is really wrong.
                 model.exchange(fine);
                 continue;
@@ -44,51 +50,11 @@ impl<T: Terrain> Refining<T> {
                 return Ok(());
             }
         }
-        self.start_shaped(model, coarse.as_ref(), Clock::default())
+        self.start_shaped(model, coarse.as_ref())
     }
 
-    /// Lets coarser levels live through the first part of the time until `end` (s): the coarsest through a half of it, each finer one
-    /// through a half of what is left. Observers are not called for those.
-    pub(super) fn grow(&self, model: &mut Model<T>, end: f64) -> Result<()> {
-        let begin = model.clock;
-        let (mut levels, mut now, mut coarse) = (self.levels(&model.terrain), begin, None::<T>);
-        while let Some(level) = levels.pop() {
-            let fine = model.exchange(level);
-            if self.start_shaped(model, coarse.as_ref(), now).is_err() {
-                // As above.
-                model.exchange(fine);
-                continue;
-            }
-            let until = now.time + 0.5 * (end - now.time);
-            while model.clock.time < until - 1e-9 * model.dt && !model.cancel.is_cancelled() {
-                let left = until - model.clock.time;
-                model.take_step(model.allowed(model.dt).min(left))?;
-            }
-            let cancelled = model.cancel.is_cancelled();
-            now = Clock { time: model.clock.time, steps: model.clock.steps, ..Clock::default() };
-            coarse = Some(model.exchange(fine));
-            if cancelled {
-                model.clock = begin;
-                return Ok(());
-            }
-        }
-        self.start_shaped(model, coarse.as_ref(), now)
-    }
-
-    /// The coarser forms of a terrain, the coarsest last.
-    fn levels(&self, terrain: &T) -> Vec<T> {
-        let mut levels: Vec<T> = Vec::new();
-        for _ in 0..self.levels {
-            match (self.coarser)(levels.last().unwrap_or(terrain)) {
-                Some(coarser) => levels.push(coarser),
-                None => break,
-            }
-        }
-        levels
-    }
-
-    fn start_shaped(&self, model: &mut Model<T>, coarse: Option<&T>, at: Clock) -> Result<()> {
-        model.clock = at;
+    fn start_shaped(&self, model: &mut Model<T>, coarse: Option<&T>) -> Result<()> {
+        model.clock = Clock::default();
         model.start()?;
         if let Some(coarse) = coarse {
             (self.take_shape_of)(&mut model.terrain, coarse);

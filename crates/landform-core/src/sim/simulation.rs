@@ -75,9 +75,8 @@ impl<T: NodeSurface> Simulation<'_, T> {
 }
 
 impl<T: Refine + NodeSurface> Simulation<'_, T> {
-    /// First brings terrains of this many coarser levels to a steady state, each from the one before, and starts from the last. A run
-    /// over a time alone is lived through by the coarsest level for a half of it, by each finer one for a half of what is left: so
-    /// rivers are those of a coarser run. Budgets and observers are those of the finest level.
+    /// First brings terrains of this many coarser levels to a steady state, each from the one before, and starts from the last.
+    /// It serves steady states only, since the path to them is no history.
     pub fn refine(mut self, levels: u32) -> Self {
         self.refining = (levels > 0).then(|| Refining::new(levels));
         self
@@ -204,10 +203,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         if !self.model.clock.started
             && let Some(refining) = self.refining.take()
         {
-            match (self.stop.time, self.stop.steady) {
-                (Some(end), None) => refining.grow(&mut self.model, end)?,
-                _ => refining.start(&mut self.model, self.stop.steady, self.steady_values)?,
-            }
+            refining.start(&mut self.model, self.stop.steady, self.steady_values)?;
         }
         let stopped = loop {
             if let Some(stopped) = self.reason_to_stop() {

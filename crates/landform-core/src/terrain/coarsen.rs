@@ -106,6 +106,9 @@ impl Thinned {
 impl HeightField {
     /// Every second node of every second row, or the outlet beside it. **Cost** O(n).
     pub(super) fn quarter(&self) -> Option<Self> {
+        if let Some(jitter) = self.grid().jitter {
+            return self.at_centres().quarter()?.off_centres(jitter.seed);
+        }
         let shape = self.grid().shape;
         if shape.len() < 4 * FEWEST || shape.rows < 5 || shape.cols < 5 {
             return None;
@@ -132,7 +135,7 @@ impl HeightField {
             edges: self.grid().edges,
             georeference: self.grid().georeference.clone(),
             frame: None,
-            jitter: self.grid().jitter,
+            jitter: None,
         };
         let z = kept.iter().map(|&i| self.elevation()[i as usize]).collect();
         let mut field = Self::new(grid, z).ok()?;

@@ -153,7 +153,7 @@ mod tests {
             .unwrap()
             .process(creep)
             .unwrap()
-            .dt(20.0 * KYR)
+            .dt(200.0 * KYR)
             .until(Stop::steps(200));
         let outcome = sim.run().unwrap();
         assert!(outcome.budget.imbalance() < 1e-10 && outcome.budget.sediment_imbalance() < 1e-9);

@@ -8,9 +8,10 @@
 //! Let d be the net lowering of a node in the step. Its equation holds the receiver's d (through the slope) and its donors' d
 //! (through Q): a linear system on a tree, for n = 1. It is solved *directly*: from the leaves down, the flux out of a subtree is
 //! a linear function of the lowering of the node below, Q = α + β d_r; from the outlets up the d follow. O(n), without the
-//! iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up and the two passes repeated
-//! until no decision changes (a few rounds): slopes at the talus angle; floors of lakes, where nothing is worn off and fill stops
-//! at the water's surface; and, for n ≠ 1, the tangent of the law.
+//! iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up and the two passes repeated:
+//! slopes at the talus angle; floors of lakes, where nothing is worn off and fill stops at the water's surface; the tangent of the
+//! law, for n ≠ 1 or a limiting slope. The rounds end when less than one node of a hundred decides otherwise or lies further from
+//! its tangent than a hundredth of what is worn off. At a steady state the first tangent is exact.
 //!
 //! Volumes are conserved by construction: Q is made of the d.
 //!
@@ -30,7 +31,7 @@ use super::law::Law;
 use super::rock::Rock;
 
 const MOST_ROUNDS: usize = 60;
-/// One node of so many may still decide otherwise when the rounds end.
+/// One node of so many may still decide otherwise when rounds end: more rounds cost more than the error of a step in time is worth.
 const FEW: usize = 100;
 /// Distance of the law from its tangent, over what is worn off, that is not worth another round.
 const TANGENT: f64 = 0.01;

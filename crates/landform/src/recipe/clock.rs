@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Clock {
-    /// Length of a step. It must be given, unless `refine` and `until` are given: then it is 1 Gyr.
+    /// Length of a step. It must be given, unless `refine` is given: then it is 1 Gyr.
     #[schemars(extend("x-min" = 0.0))]
     pub dt: Duration,
     /// Time to run. Instead, `until` or `iterations` may be given.
@@ -27,10 +27,9 @@ pub struct Clock {
     /// Greatest number of steps. If not given, it is 10,000 for a run until steady.
     #[schemars(extend("x-min" = 1))]
     pub iterations: Option<u64>,
-    /// Number of coarser levels, each with a quarter of the nodes, that go first. With `until = "steady"` they are made steady, each
-    /// from the one before; the finest level then needs tens of steps rather than hundreds, and a sea level that does not change.
-    /// With `duration` the coarsest lives through a half of the time, each finer one through a half of what is left; rivers are
-    /// then those of a run with fewer nodes. `watch` and volumes are those of the finest level.
+    /// Number of coarser levels, each with a quarter of the nodes, that are made steady first, each from the one before. The
+    /// finest level then needs tens of steps rather than hundreds. It needs `until = "steady"` alone, and a sea level that does
+    /// not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
     /// Whether the clock counts rounds that have no length in time.
@@ -80,12 +79,16 @@ impl Clock {
 
     /// Length of a step, s.
     pub fn step(&self) -> f64 {
-        if self.refine > 0 && self.until.is_some() && self.dt.si() == 0.0 { 1e3 * MYR } else { self.dt.si() }
+        if self.refine > 0 && self.dt.si() == 0.0 { 1e3 * MYR } else { self.dt.si() }
     }
 
     pub(super) fn check(&self) -> Result<()> {
-        if self.refine > 0 && self.until.is_none() && self.duration.is_none() {
-            return Err(Error::parameter("refine", self.refine, "0 without `until = \"steady\"` or `duration`"));
+        if self.refine > 0 && self.until.is_none() {
+            return Err(Error::parameter(
+                "refine",
+                self.refine,
+                "0 without `until = \"steady\"`: the way there is no history",
+            ));
         }
         if !(self.step() > 0.0) {
             return Err(Error::parameter("dt", self.dt, "> 0 yr, for example \"1 kyr\""));
