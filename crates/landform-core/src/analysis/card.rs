@@ -2,7 +2,7 @@
 //!
 //! # Method
 //! Each measure has the range that it takes on real ground. Five of them distinguish eroded ground from noise, nine show the lattice
-//! or the one slope of made ground where it is steep enough ([`super::directions`]). A landscape made
+//! or the one slope of made ground where it is steep enough ([`Directions`](super::Directions)). A landscape made
 //! by the stream-power law alone is recognised by fits that are too good. The verdict counts these measures; the other lines are
 //! for information.
 //!

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Edge, Edges, Georeference, Jitter, Shape};
-use crate::{Error, Result};
+use crate::{Error, Result, parallel};
 
 /// Regular grid of nodes (values at vertices). Row 0 is the north edge, column 0 the west edge:
 /// x = west + col · spacing.x, y = north − row · spacing.y.
@@ -109,10 +109,24 @@ impl Grid {
         match self.jitter {
             None => [self.x(cell.col), self.y(cell.row)],
             Some(jitter) => {
-                let [east, south] = jitter.offset(self, cell.row, cell.col);
+                let [east, south] = self.offset(jitter, cell.row, cell.col);
                 [self.x(cell.col) + east * self.spacing[0], self.y(cell.row) - south * self.spacing[1]]
             }
         }
+    }
+
+    #[inline]
+    fn offset(&self, jitter: Jitter, row: usize, col: usize) -> [f64; 2] {
+        let (first, whole) = self.frame.map_or(([0, 0], self.shape), |frame| (frame.first, frame.shape));
+        jitter.offset(whole, first[0] + row, first[1] + col)
+    }
+
+    /// Columns east and rows south of the centre of its cell at which each node stands.
+    pub(super) fn offsets(&self, jitter: Jitter) -> Vec<[f32; 2]> {
+        parallel::map(self.len(), |i| {
+            let cell = self.shape.cell(i);
+            self.offset(jitter, cell.row, cell.col).map(|v| v as f32)
+        })
     }
 
     /// x of a column, m.

@@ -12,6 +12,7 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod centres;
 mod domain;
 mod edges;
 mod georeference;
@@ -24,6 +25,7 @@ mod neighbours;
 mod raster;
 mod shape;
 
+pub use centres::Centres;
 pub use domain::{Domain, NO_SLOT, Status};
 pub(crate) use domain::{is_below, write_receivers};
 pub use edges::{Edge, Edges, Side};
@@ -31,7 +33,7 @@ pub use georeference::{Degrees, GeoKeys, Georeference, Registration};
 pub use graph::Graph;
 pub(crate) use graph::Links;
 pub use grid::{Frame, Grid};
-pub use jitter::{Centres, Jitter};
+pub use jitter::Jitter;
 pub use lattice::Lattice;
 pub use neighbours::{Link, Neighbours};
 pub use raster::RasterDomain;

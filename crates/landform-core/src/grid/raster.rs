@@ -119,7 +119,8 @@ impl RasterDomain {
         };
         if let Some(jitter) = grid.jitter {
             let moves = std::array::from_fn(|k| [COL_STEP[k] as f64, ROW_STEP[k] as f64]);
-            domain.jittered = Some(Arc::new(Jittered::new(grid, jitter, moves, |i, k| domain.step(i, k))));
+            domain.jittered =
+                Some(Arc::new(Jittered::new(grid.offsets(jitter), grid.spacing, moves, |i, k| domain.step(i, k))));
         }
         for side in [Side::North, Side::East, Side::South, Side::West] {
             if grid.edges.get(side) == Edge::Open {
@@ -429,7 +430,9 @@ impl Domain for RasterDomain {
 
     fn centres(&self) -> Option<Centres> {
         let jittered = self.jittered.as_ref()?;
-        Some(Centres::new(self.shape, &jittered.offset, &self.status))
+        let (status, offset) = (&self.status, &jittered.offset);
+        let held = |i: usize| status[i] != Status::Interior;
+        Some(Centres::new(self.shape, offset, held, |i| status[i] == Status::Masked))
     }
 
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {

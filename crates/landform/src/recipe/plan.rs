@@ -45,7 +45,7 @@ impl PlannedStage {
     /// Reads what a cache keeps of the stage, and refuses it where it is not whole. A run would make it again.
     ///
     /// # Errors
-    /// [`Error::Io`](landform_core::Error::Io) or [`Error::Format`](landform_core::Error::Format).
+    /// [`Error::Io`] or [`Error::Format`].
     pub fn check_kept(&self, cache: &Cache) -> Result<()> {
         cache.check(&self.key)
     }
