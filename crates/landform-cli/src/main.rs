@@ -14,7 +14,8 @@ macro_rules! complain {
 macro_rules! say {
     ($($arg:tt)*) => {{
         use std::io::Write;
-        if let Err(e) = writeln!(std::io::stdout(), $($arg)*) {
+        if !crate::how::is_quiet()
+            && let Err(e) = writeln!(std::io::stdout(), $($arg)*) {
             if e.kind() == std::io::ErrorKind::BrokenPipe {
                 std::process::exit(0);
             }
@@ -32,6 +33,7 @@ mod compare;
 mod completions;
 mod convert;
 mod ground;
+mod how;
 mod man;
 mod new;
 mod part;
@@ -46,6 +48,7 @@ mod vary;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
+use how::Work;
 
 /// Grows landscapes from natural processes.
 #[derive(Parser)]
@@ -53,7 +56,7 @@ use clap::{CommandFactory, Parser, Subcommand};
     name = "landform",
     version = concat!(env!("CARGO_PKG_VERSION"), " (", env!("LANDFORM_BUILD"), ")"),
     about,
-    after_help = "Begin with: landform new first_mountains; landform run first_mountains.toml -o out"
+    after_help = "Begin with: landform new alpine_range; landform run alpine_range.toml -o out"
 )]
 struct Cli {
     #[command(subcommand)]
@@ -77,13 +80,13 @@ enum Command {
     /// Prints the papers behind a recipe.
     Cite(cite::Args),
     /// Measures an elevation file: report card, report, numbers, maps. Also the dimension of coasts (GeoJSON).
-    Analyze(analyze::Args),
+    Analyze(Work<analyze::Args>),
     /// Compares two elevation files: volumes removed and added, and all measures side by side.
-    Compare(compare::Args),
+    Compare(Work<compare::Args>),
     /// Draws an elevation file.
-    Render(render::Args),
+    Render(Work<render::Args>),
     /// Turns a raster into another raster, or into a mesh.
-    Convert(convert::Args),
+    Convert(Work<convert::Args>),
     /// Shows or clears the terrains that runs have kept in an output folder.
     Cache(cache::Args),
     /// Prints completions for a shell.
@@ -105,10 +108,10 @@ fn main() -> ExitCode {
         Command::Stages(args) => stages::run(&args),
         Command::Schema => schema::run(),
         Command::Cite(args) => cite::run(&args),
-        Command::Analyze(args) => analyze::run(&args),
-        Command::Compare(args) => compare::run(&args),
-        Command::Render(args) => render::run(&args),
-        Command::Convert(args) => convert::run(&args),
+        Command::Analyze(work) => work.run(analyze::run),
+        Command::Compare(work) => work.run(compare::run),
+        Command::Render(work) => work.run(render::run),
+        Command::Convert(work) => work.run(convert::run),
         Command::Cache(args) => cache::run(&args),
         Command::Completions(args) => completions::run(&args, Cli::command()),
         Command::Man(args) => man::run(&args, Cli::command()),

@@ -124,6 +124,11 @@ fn rasters_are_converted_and_drawn() {
     assert!(landform(dir.path(), &["convert", "a.r16", "c.asc"]).status.success());
     assert!(landform(dir.path(), &["render", "a.tif", "v.png", "--size", "64"]).status.success());
     assert!(landform(dir.path(), &["render", "a.tif", "m.png", "--size", "64", "--view", "map"]).status.success());
+    let quiet = landform(dir.path(), &["render", "a.tif", "q.png", "--size", "64", "--quiet", "--threads", "1"]);
+    assert!(quiet.status.success() && quiet.stdout.is_empty() && quiet.stderr.is_empty());
+    let same =
+        |a: &str, b: &str| std::fs::read(dir.path().join(a)).unwrap() == std::fs::read(dir.path().join(b)).unwrap();
+    assert!(same("v.png", "q.png"));
     let wrong = landform(dir.path(), &["convert", "a.asc", "a.xyz"]);
     assert!(text(&wrong.stderr).contains("error:") && !wrong.status.success());
 }
