@@ -85,7 +85,8 @@ impl<T: NodeSurface> Process<T> for LinearDiffusion {
         let system = state.system.get_or_insert_with(|| System::new(&*terrain.domain(), &state.diffusivity));
         let heights = system.heights(terrain.elevation()).into_owned();
         let [rise, end] = system.rise(&heights, at.dt)?;
-        Ok(system.settle(terrain, &heights, &rise, &end, at.dt))
+        let outflow = system.outflow(&heights, &end) * at.dt;
+        Ok(system.settle(terrain, &rise, outflow))
     }
 }
 

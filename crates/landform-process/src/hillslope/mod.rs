@@ -22,14 +22,17 @@
 
 mod implicit;
 mod linear_diffusion;
+mod nonlinear_diffusion;
 mod thermal_erosion;
 
 pub use linear_diffusion::LinearDiffusion;
+pub use nonlinear_diffusion::NonlinearDiffusion;
 pub use thermal_erosion::ThermalErosion;
 
 use landform_core::terrain::{HeightField, Mesh};
 
 landform_core::stages! {
     process LinearDiffusion where HeightField, Mesh;
+    process NonlinearDiffusion where HeightField;
     process ThermalErosion where HeightField, Mesh;
 }

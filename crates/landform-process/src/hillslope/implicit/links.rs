@@ -14,7 +14,7 @@ pub(super) struct Links {
     start: Vec<u32>,
     links: Vec<(u32, f64)>,
     area: Vec<f64>,
-    status: Vec<Status>,
+    inner: Vec<bool>,
 }
 
 impl Links {
@@ -32,7 +32,23 @@ impl Links {
             }
             start.push(links.len() as u32);
         }
-        Self { start, links, area: (0..domain.len()).map(|i| domain.area(i)).collect(), status }
+        let inner = status.iter().map(|s| *s == Status::Interior).collect();
+        Self { start, links, area: (0..domain.len()).map(|i| domain.area(i)).collect(), inner }
+    }
+
+    /// Of so many nodes of one area: the links of each, and whether it changes.
+    pub(super) fn of<L: Iterator<Item = (u32, f64)>>(
+        nodes: usize,
+        links_of: impl Fn(usize) -> L,
+        area: f64,
+        changes: impl Fn(usize) -> bool,
+    ) -> Self {
+        let (mut start, mut links) = (vec![0], Vec::new());
+        for i in 0..nodes {
+            links.extend(links_of(i));
+            start.push(links.len() as u32);
+        }
+        Self { start, links, area: vec![area; nodes], inner: (0..nodes).map(changes).collect() }
     }
 
     fn row(&self, i: usize) -> &[(u32, f64)] {
@@ -48,7 +64,7 @@ impl Links {
     /// The rise of every node in one backward-Euler step, by conjugate gradients.
     pub(super) fn rise(&self, z: &[f64], dt: f64) -> Result<Vec<f64>> {
         let n = z.len();
-        let inner = |i: usize| self.status[i] == Status::Interior;
+        let inner = |i: usize| self.inner[i];
         let diagonal = parallel::map(n, |i| {
             if inner(i) { self.area[i] / dt + self.row(i).iter().map(|l| l.1).sum::<f64>() } else { 1.0 }
         });

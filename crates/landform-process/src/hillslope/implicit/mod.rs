@@ -12,9 +12,9 @@ use std::borrow::Cow;
 use landform_core::grid::{Centres, Domain, Link, Status};
 use landform_core::terrain::{Layer, NodeSurface};
 use landform_core::verb::{Change, Resolved};
-use landform_core::{Result, parallel};
+use landform_core::{Error, Result, parallel};
 use links::Links;
-use rows::Rows;
+pub(super) use rows::Rows;
 
 /// Error of the change over the greatest change.
 const TOLERANCE: f64 = 1e-12;
@@ -38,7 +38,9 @@ enum Solver {
 
 impl System {
     pub(super) fn new<D: Domain>(domain: &D, diffusivity: &Resolved) -> Self {
-        let rows = domain.five_point().map(|shape| Solver::Rows(Box::new(Rows::new(domain, shape, diffusivity))));
+        let rows = domain.five_point().map(|shape| {
+            Solver::Rows(Box::new(Rows::new(domain, shape, |i, link| between(domain, diffusivity, i, link))))
+        });
         let status = domain.status();
         let mut exits = Vec::new();
         for i in (0..domain.len()).filter(|&i| status[i] == Status::Interior) {
@@ -60,7 +62,10 @@ impl System {
     /// The rise of every node in one backward-Euler step, and the one that fluxes at its end belong to.
     pub(super) fn rise(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
         match &mut self.solver {
-            Solver::Rows(rows) => rows.rise(z, dt),
+            Solver::Rows(rows) => match rows.rise(z, dt) {
+                Err(Error::NotConverged { .. }) => rows.links().rise(z, dt).map(|rise| [rise.clone(), rise]),
+                found => found,
+            },
             Solver::Links(links) => links.rise(z, dt).map(|rise| [rise.clone(), rise]),
         }
     }
@@ -70,17 +75,9 @@ impl System {
         self.centres.as_ref().map_or(Cow::Borrowed(z), |centres| Cow::Owned(centres.values(z)))
     }
 
-    /// Moves the ground by a rise over heights; returns the volumes moved.
-    pub(super) fn settle<T: NodeSurface>(
-        &self,
-        terrain: &mut T,
-        heights: &[f64],
-        rise: &[f64],
-        end: &[f64],
-        dt: f64,
-    ) -> Change {
-        let mut rise = Cow::Borrowed(rise);
-        let mut exported = self.outflow(heights, end) * dt;
+    /// Moves the ground by a rise over heights, while so much flows to base levels; returns the volumes moved.
+    pub(super) fn settle<T: NodeSurface>(&self, terrain: &mut T, rise: &[f64], outflow: f64) -> Change {
+        let (mut rise, mut exported) = (Cow::Borrowed(rise), outflow);
         if let Some(centres) = &self.centres {
             let domain = terrain.domain();
             let status = domain.status();
@@ -97,7 +94,7 @@ impl System {
     }
 
     /// Volume flux from inner nodes to base levels after a rise, m³/s.
-    fn outflow(&self, z: &[f64], rise: &[f64]) -> f64 {
+    pub(super) fn outflow(&self, z: &[f64], rise: &[f64]) -> f64 {
         let after = |i: u32| z[i as usize] + rise[i as usize];
         parallel::sum(self.exits.len(), |k| {
             let (i, base, g) = self.exits[k];
@@ -131,8 +128,11 @@ mod tests {
         let varied = Resolved::PerNode((0..grid.len()).map(|i| 0.01 / YEAR * (1.0 + (i % 7) as f64)).collect());
         for dt in [KYR, 300.0 * KYR, 1e5 * KYR] {
             let shape = domain.five_point().unwrap();
-            let [rows, end] = Rows::new(&*domain, shape, &varied).rise(&z, dt).unwrap();
+            let [rows, end] =
+                Rows::new(&*domain, shape, |i, link| between(&*domain, &varied, i, link)).rise(&z, dt).unwrap();
             let links = Links::new(&*domain, &varied).rise(&z, dt).unwrap();
+            let other = Rows::new(&*domain, shape, |i, link| between(&*domain, &varied, i, link)).links();
+            assert_eq!(other.rise(&z, dt).unwrap(), links);
             for i in (0..z.len()).filter(|&i| i != 400) {
                 assert!((rows[i] - links[i]).abs() < 1e-7 && (end[i] - links[i]).abs() < 1e-9, "{dt} {i}");
             }

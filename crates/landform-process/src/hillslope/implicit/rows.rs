@@ -9,21 +9,22 @@
 //! # Sources
 //! Young (1954), Iterative methods for solving partial difference equations of elliptic type; Golub & Varga (1961) for the factors.
 
-use landform_core::grid::{Domain, Shape, Status};
-use landform_core::verb::Resolved;
+use landform_core::grid::{Domain, Link, Shape, Status};
 use landform_core::{Error, Result, parallel};
 
-use super::{TOLERANCE, between};
+use super::TOLERANCE;
+use super::links::Links;
 
-const MOST_SWEEPS: usize = 100_000;
+/// Steps so long that they would need more are left to conjugate gradients.
+const MOST_SWEEPS: usize = 20_000;
 /// Rows that are swept together.
 const BAND: usize = 16;
-/// Changes below this are rounding.
-const ROUNDING: f64 = 2e-14;
+/// Rounding of a sweep; the nearer the factor is to 2 the longer it stays.
+const ROUNDING: f64 = 2e-15;
 
 /// A raster in two colours, with a rim of empty places around it.
 #[derive(Clone, Debug)]
-pub(super) struct Rows {
+pub(in super::super) struct Rows {
     shape: Shape,
     /// Places of a colour in a row, rim included.
     width: usize,
@@ -41,7 +42,8 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn new<D: Domain>(domain: &D, shape: Shape, diffusivity: &Resolved) -> Self {
+    /// The links of a raster, `conductance` (m²/s) of those to the east and south; those back are the same.
+    pub(in super::super) fn new<D: Domain>(domain: &D, shape: Shape, conductance: impl Fn(usize, Link) -> f64) -> Self {
         let width = shape.cols.div_ceil(2) + 2;
         let empty = || [0, 1].map(|_| vec![0.0; width * (shape.rows + 2)]);
         let area = domain.area(0);
@@ -56,7 +58,7 @@ impl Rows {
             }
             let mut sum = 0.0;
             for link in domain.neighbours(i) {
-                let g = between(domain, diffusivity, i, link);
+                let g = conductance(i, link);
                 sum += g;
                 match link.slot {
                     0 => rows.east[colour][at] = g,
@@ -99,34 +101,64 @@ impl Rows {
     /// The change of heights `z` in a backward-Euler step of `dt` s by the fluxes at its end, and as it was solved for.
     pub(super) fn rise(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
         let packed = self.pack(z);
-        let diagonal = self.area / dt;
-        let (mut radius, mut driven) = (0.0_f64, 0.0_f64);
         for colour in 0..2 {
-            self.change[colour].fill(0.0);
             let mut drive = std::mem::take(&mut self.drive[colour]);
             self.flux_into(colour, &packed, &mut drive);
-            let sum = &self.sum[colour];
-            parallel::fill(&mut self.inverse[colour], |i| if sum[i] > 0.0 { 1.0 / (diagonal + sum[i]) } else { 0.0 });
-            radius = radius.max(parallel::max(sum.len(), |i| sum[i].max(0.0) / (diagonal + sum[i].max(0.0))));
-            driven = driven.max(parallel::max(drive.len(), |i| drive[i].abs()));
             self.drive[colour] = drive;
         }
-        if driven > 0.0 {
-            self.solve(radius * radius)?;
-        }
+        self.respond(dt)?;
         let after = [0, 1].map(|c: usize| {
             let (a, b) = (&packed[c], &self.change[c]);
             parallel::map(a.len(), |i| a[i] + b[i])
         });
         let mut moved = [0, 1].map(|c: usize| vec![0.0; self.change[c].len()]);
         (0..2).for_each(|c| self.flux_into(c, &after, &mut moved[c]));
-        let unpacked = |values: &[Vec<f64>; 2], factor: f64| {
-            parallel::map(z.len(), |i| {
-                let (colour, at) = self.place(i);
-                factor * values[colour][at]
-            })
+        Ok([self.unpack(&moved, dt / self.area), self.unpack(&self.change, 1.0)])
+    }
+
+    /// The change of every node in `dt` s that a volume flux into it (m³/s) calls for, what then flows over links included.
+    pub(in super::super) fn change_by(&mut self, drive: &[f64], dt: f64) -> Result<Vec<f64>> {
+        self.drive = self.pack(drive);
+        self.respond(dt)?;
+        Ok(self.unpack(&self.change, 1.0))
+    }
+
+    /// The same links, row by row.
+    pub(super) fn links(&self) -> Links {
+        let (n, cols) = (self.shape.len(), self.shape.cols);
+        let of = |values: &[Vec<f64>; 2], node: usize| {
+            let (colour, at) = self.place(node);
+            values[colour][at]
         };
-        Ok([unpacked(&moved, 1.0 / diagonal), unpacked(&self.change, 1.0)])
+        let links = |i: usize| {
+            let cell = self.shape.cell(i);
+            let west = if cell.col > 0 { of(&self.east, i - 1) } else { 0.0 };
+            let north = if cell.row > 0 { of(&self.south, i - cols) } else { 0.0 };
+            let all = [(i + 1, of(&self.east, i)), (i.wrapping_sub(cols), north), (i.wrapping_sub(1), west)];
+            all.into_iter().chain([(i + cols, of(&self.south, i))]).filter(|l| l.1 > 0.0).map(|(to, g)| (to as u32, g))
+        };
+        Links::of(n, links, self.area, |i| of(&self.sum, i) >= 0.0)
+    }
+
+    fn unpack(&self, values: &[Vec<f64>; 2], factor: f64) -> Vec<f64> {
+        parallel::map(self.shape.len(), |i| {
+            let (colour, at) = self.place(i);
+            factor * values[colour][at]
+        })
+    }
+
+    /// Finds the change for what drives it.
+    fn respond(&mut self, dt: f64) -> Result<()> {
+        let diagonal = self.area / dt;
+        let (mut radius, mut driven) = (0.0_f64, 0.0_f64);
+        for colour in 0..2 {
+            self.change[colour].fill(0.0);
+            let (sum, drive) = (&self.sum[colour], &self.drive[colour]);
+            parallel::fill(&mut self.inverse[colour], |i| if sum[i] >= 0.0 { 1.0 / (diagonal + sum[i]) } else { 0.0 });
+            radius = radius.max(parallel::max(sum.len(), |i| sum[i].max(0.0) / (diagonal + sum[i].max(0.0))));
+            driven = driven.max(parallel::max(drive.len(), |i| drive[i].abs()));
+        }
+        if driven > 0.0 { self.solve(radius * radius) } else { Ok(()) }
     }
 
     /// Volume flux into every node of a colour that changes, m³/s.
@@ -168,7 +200,7 @@ impl Rows {
     fn solve(&mut self, radius: f64) -> Result<()> {
         let (mut factor, mut first) = (1.0, true);
         let last = 2.0 / (1.0 + (1.0 - radius).sqrt());
-        let enough = (TOLERANCE * (2.0 - last)).max(ROUNDING);
+        let enough = (TOLERANCE * (2.0 - last)).max(ROUNDING / (2.0 - last));
         for _ in 0..MOST_SWEEPS {
             let (mut step, mut greatest) = (0.0_f64, 0.0_f64);
             for colour in 0..2 {
