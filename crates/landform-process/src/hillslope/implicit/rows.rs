@@ -113,7 +113,7 @@ impl Rows {
         });
         let mut moved = [0, 1].map(|c: usize| vec![0.0; self.change[c].len()]);
         (0..2).for_each(|c| self.flux_into(c, &after, &mut moved[c]));
-        Ok([self.unpack(&moved, dt / self.area), self.unpack(&self.change, 1.0)])
+        Ok([self.unpack(&moved, 1.0 / (self.area / dt)), self.unpack(&self.change, 1.0)])
     }
 
     /// The change of every node in `dt` s that a volume flux into it (m³/s) calls for, what then flows over links included.
