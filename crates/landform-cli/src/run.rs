@@ -15,6 +15,7 @@ use landform::io::memory;
 use landform::recipe::{Cache, Options, Override, Ran, Recipe, Signal};
 
 use crate::cache::Size;
+use crate::how::How;
 use crate::part::Part;
 use crate::progress::{Reporter, Style};
 use crate::show_error::{Failure, about};
@@ -34,9 +35,8 @@ pub(crate) struct Args {
     set: Vec<String>,
     #[command(flatten)]
     part: Part,
-    /// Number of threads; all cores if not given. Results do not depend on it.
-    #[arg(long, default_value_t = 0)]
-    threads: usize,
+    #[command(flatten)]
+    how: How,
     /// Goes on where an interrupted run stopped.
     #[arg(long)]
     resume: bool,
@@ -58,9 +58,6 @@ pub(crate) struct Args {
     /// Lets stages write outside the output folder: by `..`, absolute paths or links.
     #[arg(long)]
     allow_outside: bool,
-    /// Prints errors only.
-    #[arg(short, long)]
-    quiet: bool,
 }
 
 /// A time such as "30 s" or "10 min".
@@ -142,7 +139,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         token.cancel();
     })
     .ok();
-    let style = if args.quiet { Style::None } else { args.progress };
+    let style = if args.how.quiet { Style::None } else { args.progress };
     let reporter = Reporter::new(style);
     let options = Options {
         cache: cache.as_ref(),
@@ -157,7 +154,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         },
         ..Options::default()
     };
-    let ran = with_threads(args.threads, || recipe.run(&mut folder, &options))?;
+    let ran = with_threads(args.how.threads, || recipe.run(&mut folder, &options))?;
     reporter.finish();
     match ran.map_err(about(&args.recipe))? {
         Ran::ToTheEnd(..) => {

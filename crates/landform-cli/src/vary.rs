@@ -12,6 +12,7 @@ use landform::io::format::encode_png;
 use landform::io::memory;
 use landform::recipe::{Over, Recipe, Sweep, contact_sheet};
 
+use crate::how::How;
 use crate::show_error::{Failure, about};
 
 #[derive(clap::Args)]
@@ -39,12 +40,8 @@ pub(crate) struct Args {
     /// Length of the longer side of each picture, pixels.
     #[arg(long, default_value_t = 320)]
     size: usize,
-    /// Number of threads; all cores if not given. Results do not depend on it.
-    #[arg(long, default_value_t = 0)]
-    threads: usize,
-    /// Prints errors only.
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    how: How,
 }
 
 /// Sheets with more pixels than this are refused.
@@ -78,9 +75,9 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         token.cancel();
     })
     .ok();
-    let (rows, failure) = with_threads(args.threads, || {
+    let (rows, failure) = with_threads(args.how.threads, || {
         sweep.run(load, memory::available(), &cancel, |k, row| {
-            if !args.quiet {
+            if !args.how.quiet {
                 let values = if row.values.is_empty() { String::new() } else { format!(" {}", row.values.join(" ")) };
                 complain!(
                     "[{}/{runs}] seed {}{values}: {:.1} to {:.1} m, {:.1} s",

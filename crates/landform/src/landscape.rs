@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use landform_core::random::Seed;
-use landform_core::sim::{Model, Simulation, Stop};
+use landform_core::sim::{Simulation, Stop};
 use landform_core::stage::{ReadStage, Verb};
 use landform_core::terrain::{AnyTerrain, HeightField, NodeSurface, Representation, Surface, Visit};
 use landform_core::verb::{Context, Environment, Event, MemoryOutput, Outcome, Params, Stopped};
@@ -16,7 +16,7 @@ use landform_io::format::{
 };
 use landform_io::import::{FileMaps, in_degrees};
 
-use crate::recipe::stages;
+use crate::recipe::{model_of, stages};
 
 /// A terrain with its environment and its history.
 ///
@@ -250,13 +250,8 @@ impl Visit for Running<'_> {
 
     fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
         let seed = Seed(self.land.seed).named(&format!("evolve#{}", self.land.history.len()));
-        let jitters = self.parts.iter().any(ReadStage::jitters);
-        let jittered = jitters.then(|| terrain.jittered(seed.named("lattice"))).flatten();
-        let mut model = Model::new(jittered.unwrap_or_else(|| terrain.clone()));
-        for part in self.parts {
-            part.add_to(T::KIND, &mut model)?;
-        }
-        let model = model.dt(self.dt).seed(seed).maps(self.maps).environment(self.land.environment.clone());
+        let model = model_of(terrain, self.parts, seed)?;
+        let model = model.dt(self.dt).maps(self.maps).environment(self.land.environment.clone());
         let mut run = Simulation::of(model).until(self.stop);
         let outcome = run.run()?;
         Ok((run.into_terrain().at_centres().into_owned().wrap(), outcome))

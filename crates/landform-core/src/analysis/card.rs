@@ -15,6 +15,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Metrics;
+use super::directions::is_natural;
 
 /// One line of the card.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -115,8 +116,7 @@ fn rows(metrics: &Metrics) -> Vec<CardLine> {
     ROWS.iter()
         .map(|&(name, value, natural, decides, meaning, source)| {
             let value = value(metrics);
-            // A rounding error at the end of a range is inside.
-            let inside = value.is_finite().then(|| value >= natural[0] - 5e-4 && value <= natural[1] + 5e-4);
+            let inside = is_natural(value, natural);
             CardLine {
                 name: name.into(),
                 value,

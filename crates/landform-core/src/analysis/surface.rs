@@ -125,7 +125,8 @@ pub fn surface(grid: &Grid, z: &[f64]) -> Option<Surface> {
     })
 }
 
-fn has_all_neighbours(grid: &Grid, z: &[f64], i: usize) -> bool {
+/// Whether a node and its eight neighbours have data.
+pub(super) fn has_all_neighbours(grid: &Grid, z: &[f64], i: usize) -> bool {
     let shape = grid.shape;
     let c = shape.cell(i);
     if c.row == 0 || c.col == 0 || c.row + 1 == shape.rows || c.col + 1 == shape.cols {

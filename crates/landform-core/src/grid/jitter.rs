@@ -42,7 +42,7 @@ impl Jitter {
 #[derive(Clone, Debug)]
 pub(super) struct Jittered {
     /// One over the distance to the neighbours in slots 0 to 3, 1/m; 0 where there is none.
-    pub(super) inverse: [Vec<f32>; 4],
+    inverse: [Vec<f32>; 4],
     /// Columns east and rows south of the centre of each node's cell.
     pub(super) offset: Vec<[f32; 2]>,
 }
@@ -66,6 +66,21 @@ impl Jittered {
             })
         });
         Self { inverse, offset }
+    }
+
+    /// One over the distance from a node to its neighbour `to` in direction `k`, 1/m.
+    #[inline]
+    pub(super) fn per_length(&self, k: usize, node: usize, to: impl FnOnce() -> usize) -> f64 {
+        // Links to the west and south are held by the neighbour.
+        f64::from(self.inverse[k & 3][if k < 4 { node } else { to() }])
+    }
+
+    /// The same for columns 1..cols−1 of a row that has one below, by direction.
+    #[inline]
+    pub(super) fn around_row(&self, row: usize, cols: usize) -> [&[f32]; 8] {
+        let part = |k: usize, first: usize| &self.inverse[k][row * cols + first..][..cols - 2];
+        let held = [part(0, 0), part(1, cols), part(2, cols + 1), part(3, cols + 2)];
+        [part(0, 1), part(1, 1), part(2, 1), part(3, 1), held[0], held[1], held[2], held[3]]
     }
 }
 

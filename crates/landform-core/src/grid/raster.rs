@@ -182,7 +182,7 @@ impl RasterDomain {
     fn length(&self, node: usize, to: usize, k: usize) -> f64 {
         match &self.jittered {
             None => self.distance[k],
-            Some(jittered) => 1.0 / f64::from(jittered.inverse[k & 3][if k < 4 { node } else { to }]),
+            Some(jittered) => 1.0 / jittered.per_length(k, node, || to),
         }
     }
 
@@ -210,12 +210,12 @@ impl RasterDomain {
             let rows = &elevation[(row - 1) * cols..(row + 2) * cols];
             match &self.jittered {
                 None => {
-                    let inverse = [self.inverse[0], self.inverse[1], self.inverse[2]];
-                    steepest_kernel(rows, cols, inverse, slots);
+                    let inverse = self.inverse;
+                    steepest_kernel(rows, cols, |k, _| inverse[k], slots);
                 }
                 Some(jittered) => {
-                    let of = |k: usize| &jittered.inverse[k][row * cols..(row + 2) * cols];
-                    steepest_jittered(rows, cols, [of(0), of(1), of(2), of(3)], slots);
+                    let inverse = jittered.around_row(row, cols);
+                    steepest_kernel(rows, cols, |k, j| f64::from(inverse[k][j]), slots);
                 }
             }
         }
@@ -233,30 +233,28 @@ impl RasterDomain {
     }
 }
 
-/// Columns 1..cols−1 of a row with a row above and below. Slopes are compared as drop times inverse distance.
-fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8]) {
+/// Columns 1..cols−1 of a row with a row above and below: the row's values, and those around them, by slot.
+#[inline]
+fn surrounded(rows: &[f64], cols: usize) -> (&[f64], [&[f64]; 8]) {
     let (up, rest) = rows.split_at(cols);
     let (here, down) = rest.split_at(cols);
-    let [ix, id, iy] = inverse;
     let n = cols - 2;
-    let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
-    let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
-    let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
-    let out = &mut slots[1..=n];
-    for j in 0..n {
-        let z = hc[j];
-        let slopes = [
-            (z - he[j]) * ix,
-            (z - ue[j]) * id,
-            (z - uc[j]) * iy,
-            (z - uw[j]) * id,
-            (z - hw[j]) * ix,
-            (z - dw[j]) * id,
-            (z - dc[j]) * iy,
-            (z - de[j]) * id,
-        ];
+    let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..][..n]);
+    let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..][..n]);
+    let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..][..n]);
+    (hc, [he, ue, uc, uw, hw, dw, dc, de])
+}
+
+/// Steepest descent of [`surrounded`] values. Slopes are compared as drop times inverse distance, by slot and column.
+#[inline]
+fn steepest_kernel(rows: &[f64], cols: usize, inverse: impl Fn(usize, usize) -> f64, slots: &mut [u8]) {
+    let (here, around) = surrounded(rows, cols);
+    let out = &mut slots[1..cols - 1];
+    for j in 0..cols - 2 {
+        let z = here[j];
         let (mut best, mut slot) = (0.0, NO_SLOT);
-        for (k, &s) in slopes.iter().enumerate() {
+        for k in 0..8 {
+            let s = (z - around[k][j]) * inverse(k, j);
             let steeper = s > best;
             best = if steeper { s } else { best };
             slot = if steeper { k as u8 } else { slot };
@@ -265,54 +263,14 @@ fn steepest_kernel(rows: &[f64], cols: usize, inverse: [f64; 3], slots: &mut [u8
     }
 }
 
-/// As [`steepest_kernel`] with distances of their own: `inverse` has those of the row and of the one below, by slot.
-fn steepest_jittered(rows: &[f64], cols: usize, inverse: [&[f32]; 4], slots: &mut [u8]) {
-    let (up, rest) = rows.split_at(cols);
-    let (here, down) = rest.split_at(cols);
-    let n = cols - 2;
-    let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
-    let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
-    let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
-    let [east, north_east, north, north_west] = inverse;
-    // Links to the west and south are held by the neighbour.
-    let (e, ne, no, nw) = (&east[1..=n], &north_east[1..=n], &north[1..=n], &north_west[1..=n]);
-    let (w, sw, so, se) = (&east[..n], &north_east[cols..][..n], &north[cols + 1..][..n], &north_west[cols + 2..][..n]);
-    let out = &mut slots[1..=n];
-    for j in 0..n {
-        let z = hc[j];
-        let slopes = [
-            (z - he[j]) * f64::from(e[j]),
-            (z - ue[j]) * f64::from(ne[j]),
-            (z - uc[j]) * f64::from(no[j]),
-            (z - uw[j]) * f64::from(nw[j]),
-            (z - hw[j]) * f64::from(w[j]),
-            (z - dw[j]) * f64::from(sw[j]),
-            (z - dc[j]) * f64::from(so[j]),
-            (z - de[j]) * f64::from(se[j]),
-        ];
-        let (mut best, mut slot) = (0.0, NO_SLOT);
-        for (k, &s) in slopes.iter().enumerate() {
-            let steeper = s > best;
-            best = if steeper { s } else { best };
-            slot = if steeper { k as u8 } else { slot };
-        }
-        out[j] = slot;
-    }
-}
-
-/// Columns 1..cols−1 of a row with a row above and below: whether lower neighbours form several arcs.
+/// Whether lower neighbours of [`surrounded`] values form several arcs.
 fn saddle_kernel(rows: &[f64], cols: usize, saddles: &mut [u8]) {
-    let (up, rest) = rows.split_at(cols);
-    let (here, down) = rest.split_at(cols);
-    let n = cols - 2;
-    let (uw, uc, ue) = (&up[..n], &up[1..=n], &up[2..]);
-    let (hw, hc, he) = (&here[..n], &here[1..=n], &here[2..]);
-    let (dw, dc, de) = (&down[..n], &down[1..=n], &down[2..]);
-    let out = &mut saddles[1..=n];
-    for j in 0..n {
-        let z = hc[j];
+    let (here, [e, ne, n, nw, w, sw, s, se]) = surrounded(rows, cols);
+    let out = &mut saddles[1..cols - 1];
+    for j in 0..cols - 2 {
+        let z = here[j];
         // Of equals the one with the lower index is lower: north-east, north, north-west and west come before.
-        let lower = [he[j] < z, ue[j] <= z, uc[j] <= z, uw[j] <= z, hw[j] <= z, dw[j] < z, dc[j] < z, de[j] < z];
+        let lower = [e[j] < z, ne[j] <= z, n[j] <= z, nw[j] <= z, w[j] <= z, sw[j] < z, s[j] < z, se[j] < z];
         out[j] = lower.iter().enumerate().fold(0, |mask, (k, &l)| mask | u8::from(l) << k);
     }
     for mask in out {
@@ -399,18 +357,14 @@ impl Domain for RasterDomain {
         if self.jittered.is_none() || slot == NO_SLOT {
             return self.distance[k];
         }
-        self.length(node, if k < 4 { node } else { self.neighbour(node, slot) }, k)
+        self.length(node, self.neighbour(node, slot), k)
     }
 
     #[inline]
     fn inverse_distance(&self, node: usize, slot: u8) -> f64 {
         match &self.jittered {
             None => self.inverse[slot as usize & 7],
-            Some(jittered) => {
-                let k = slot as usize & 7;
-                let holder = if k < 4 { node } else { self.neighbour(node, slot) };
-                f64::from(jittered.inverse[k & 3][holder])
-            }
+            Some(jittered) => jittered.per_length(slot as usize & 7, node, || self.neighbour(node, slot)),
         }
     }
 

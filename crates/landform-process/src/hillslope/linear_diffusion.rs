@@ -22,14 +22,14 @@
 //! # Checked by
 //! `tests`: the parabola of uplift and creep (VP5), decay of a sine, mass, mesh against raster.
 
+use landform_core::Result;
 use landform_core::terrain::NodeSurface;
 use landform_core::units::{Diffusivity, DiffusivityDimension};
 use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
-use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::implicit::System;
+use super::implicit::{System, resolve_diffusivity};
 
 /// Soil creep: ground moves downhill at a rate in proportion to its slope.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -69,12 +69,7 @@ impl<T: NodeSurface> Process<T> for LinearDiffusion {
     type State = State;
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
-        let diffusivity = self.diffusivity.resolve("diffusivity", terrain, context)?;
-        if let Resolved::PerNode(d) = &diffusivity
-            && let Some(i) = parallel::find_first(d.len(), |i| d[i] < 0.0)
-        {
-            return Err(Error::parameter("diffusivity", format!("negative at node {i}"), "at least 0 everywhere"));
-        }
+        let diffusivity = resolve_diffusivity(&self.diffusivity, terrain, context)?;
         Ok(State { diffusivity, system: None })
     }
 
@@ -83,10 +78,10 @@ impl<T: NodeSurface> Process<T> for LinearDiffusion {
             *state = State { diffusivity: Resolved::Uniform(now), system: None };
         }
         let system = state.system.get_or_insert_with(|| System::new(&*terrain.domain(), &state.diffusivity));
-        let heights = system.heights(terrain.elevation()).into_owned();
+        let heights = system.places.heights(terrain.elevation()).into_owned();
         let [rise, end] = system.rise(&heights, at.dt)?;
         let outflow = system.outflow(&heights, &end) * at.dt;
-        Ok(system.settle(terrain, &rise, outflow))
+        Ok(system.places.settle(terrain, &rise, outflow))
     }
 }
 

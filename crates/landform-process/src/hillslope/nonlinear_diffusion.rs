@@ -9,7 +9,7 @@
 //! # Method
 //! Backward Euler by Newton's iteration: fluxes over the four faces of a cell with the whole gradient there, their derivative by the
 //! slope across the face; each linear system as for linear creep ([`super::implicit`]), until no node moves by 0.1 mm. Volumes follow
-//! from the fluxes of the last round. **Cost** of a round that of a step of linear creep and half as much again; a few rounds a step.
+//! from the fluxes of the last round. **Cost** a few linear systems a step.
 //!
 //! # Limits
 //! Rasters whose sides do not wrap. All ground creeps alike, rock too. On layered ground the deposit is soil.
@@ -28,7 +28,7 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::implicit::{Rows, System};
+use super::implicit::{Places, Rows, resolve_diffusivity};
 
 /// Slope over the critical one beyond which the flux goes on along its tangent.
 const TANGENT: f64 = 0.97;
@@ -82,12 +82,7 @@ impl Process<HeightField> for NonlinearDiffusion {
     type State = State;
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
-        let diffusivity = self.diffusivity.resolve("diffusivity", terrain, context)?;
-        if let Resolved::PerNode(d) = &diffusivity
-            && let Some(i) = parallel::find_first(d.len(), |i| d[i] < 0.0)
-        {
-            return Err(Error::parameter("diffusivity", format!("negative at node {i}"), "at least 0 everywhere"));
-        }
+        let diffusivity = resolve_diffusivity(&self.diffusivity, terrain, context)?;
         Ok(State { diffusivity })
     }
 
@@ -99,9 +94,8 @@ impl Process<HeightField> for NonlinearDiffusion {
         let Some(shape) = domain.five_point() else {
             return Err(Error::parameter("edges", "sides that wrap", "open or closed sides for `nonlinear_diffusion`"));
         };
-        // Its links are those of linear creep: it knows the heights that creep acts on, and the base levels.
-        let system = System::new(&*domain, &state.diffusivity);
-        let start = system.heights(terrain.elevation()).into_owned();
+        let places = Places::new(&*domain);
+        let start = places.heights(terrain.elevation()).into_owned();
         let status = domain.status();
         let flux = Fluxes { grid: &grid, status, diffusivity: &state.diffusivity, critical: self.critical_slope };
         let (mut z, area) = (start.clone(), grid.cell_area());
@@ -126,7 +120,7 @@ impl Process<HeightField> for NonlinearDiffusion {
                 let rise = parallel::map(z.len(), |i| if inner(i) { into[i] * at.dt / area } else { 0.0 });
                 let held = |i: usize| status[i] == Status::BaseLevel;
                 let exported = parallel::sum(z.len(), |i| if held(i) { into[i] * at.dt } else { 0.0 });
-                return Ok(system.settle(terrain, &rise, exported));
+                return Ok(places.settle(terrain, &rise, exported));
             }
         }
         Err(Error::NotConverged { what: "nonlinear diffusion".into(), iterations: MOST_ROUNDS, residual: f64::NAN })

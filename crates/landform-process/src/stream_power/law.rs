@@ -72,9 +72,14 @@ impl Law {
         [slope, value - slope * x]
     }
 
+    /// Whether there is a slope that ground does not exceed.
+    pub(super) fn has_limit(&self) -> bool {
+        self.limits_by_material || self.limiting_slope.is_finite()
+    }
+
     /// Whether erosion is not in proportion to the drop.
     pub(super) fn is_curved(&self) -> bool {
-        self.slope_exponent != 1.0 || self.limiting_slope.is_finite() || self.limits_by_material
+        self.slope_exponent != 1.0 || self.has_limit()
     }
 
     /// The drop over `length` that is left where ground stands up to `limit` above the receiver, and whether this limit, not the

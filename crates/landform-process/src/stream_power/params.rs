@@ -185,28 +185,26 @@ impl Params for StreamPower {
 impl StreamPower {
     /// The law of a step, with the sea at `sea_level`.
     pub(super) fn law(&self, sea_level: f64, dt: f64, layered: bool) -> Law {
-        let limits_by_material = layered && self.limiting_slope.is_none() && self.talus_angle.is_none();
-        let limiting_slope = self.limiting_slope(layered);
-        Law {
+        let (limiting_slope, limits_by_material) = match (self.limiting_slope, self.talus_angle) {
+            (Some(slope), _) if slope > 0.0 => (slope, false),
+            (Some(_), _) | (None, Some(_)) => (f64::INFINITY, false),
+            (None, None) if layered => (f64::INFINITY, true),
+            (None, None) => (USUAL_LIMITING_SLOPE, false),
+        };
+        let law = Law {
             area_exponent: self.area_exponent,
             slope_exponent: self.slope_exponent,
             greatest_slope: self.talus_angle.map_or(f64::INFINITY, |a| math::tan(a.si())),
             relaxation: self.talus_relaxation.map_or(f64::INFINITY, |speed| speed.si() * dt),
             limiting_slope,
             limits_by_material,
-            least_area: if limits_by_material || limiting_slope.is_finite() { LEAST_AREA } else { 0.0 },
+            least_area: 0.0,
             sea_level,
             deposition: self.deposition,
             threshold: self.threshold,
             dt,
-        }
-    }
-
-    /// The slope that ground does not exceed; infinite for none.
-    fn limiting_slope(&self, layered: bool) -> f64 {
-        let usual = if layered || self.talus_angle.is_some() { 0.0 } else { USUAL_LIMITING_SLOPE };
-        let slope = self.limiting_slope.unwrap_or(usual);
-        if slope > 0.0 { slope } else { f64::INFINITY }
+        };
+        Law { least_area: if law.has_limit() { LEAST_AREA } else { 0.0 }, ..law }
     }
 
     /// Sea level at a time, if there is a sea.

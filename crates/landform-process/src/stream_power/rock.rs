@@ -59,9 +59,7 @@ impl Rock<'_> {
     #[inline]
     pub(super) fn stable_drop(&self, law: &Law, node: usize, z: f64, base: f64, length: f64) -> f64 {
         match self.layers {
-            Some(layers)
-                if !law.greatest_slope.is_finite() && !law.limits_by_material && !law.limiting_slope.is_finite() =>
-            {
+            Some(layers) if !law.greatest_slope.is_finite() && !law.has_limit() => {
                 layers.stable_height(node, z, base, length) - base
             }
             _ => law.greatest_slope * length,

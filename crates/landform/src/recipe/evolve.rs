@@ -34,9 +34,7 @@ impl Visit for Evolving<'_, '_> {
 
     fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
         let clock = &self.evolve.clock;
-        let jitters = self.evolve.parts.iter().any(ReadStage::jitters);
-        let jittered = jitters.then(|| terrain.jittered(self.seed.named("lattice"))).flatten();
-        let model = self.model(jittered.as_ref().unwrap_or(terrain))?;
+        let model = self.model(terrain)?;
         let resume = self.options.resume && self.checkpoint.as_ref().is_some_and(Checkpoint::is_there);
         let saves = self.checkpoint.is_some();
         let watcher = self.watch.map(|watch| Watcher::new(watch, clock.timeless));
@@ -73,17 +71,26 @@ impl Visit for Evolving<'_, '_> {
 
 impl Evolving<'_, '_> {
     fn model<T: Surface>(&self, terrain: &T) -> Result<Model<T>> {
-        let mut model = Model::new(terrain.clone());
-        for part in &self.evolve.parts {
-            part.add_to(T::KIND, &mut model)?;
-        }
-        Ok(model
+        Ok(model_of(terrain, &self.evolve.parts, self.seed)?
             .dt(self.evolve.clock.step())
-            .seed(self.seed)
             .maps(self.recipe.maps.clone())
             .environment(self.recipe.environment.clone())
             .cancel(self.options.cancel.clone()))
     }
+}
+
+/// A model of a terrain with processes, its nodes off the centres of cells if one of them wants that.
+///
+/// # Errors
+/// Where [`ReadStage::add_to`] fails.
+pub(crate) fn model_of<T: Surface>(terrain: &T, parts: &[ReadStage], seed: Seed) -> Result<Model<T>> {
+    let jitters = parts.iter().any(ReadStage::jitters);
+    let jittered = jitters.then(|| terrain.jittered(seed.named("lattice"))).flatten();
+    let mut model = Model::new(jittered.unwrap_or_else(|| terrain.clone())).seed(seed);
+    for part in parts {
+        part.add_to(T::KIND, &mut model)?;
+    }
+    Ok(model)
 }
 
 /// What looks at a run, and what keeps its state.

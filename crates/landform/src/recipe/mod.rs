@@ -42,6 +42,7 @@ mod watch;
 
 pub use cache::{CACHE_LIMIT, Cache, Kept};
 pub use clock::{Clock, Until};
+pub(crate) use evolve::model_of;
 pub use gallery::{GALLERY, GalleryRecipe};
 pub use help::{Citation, Parameter, catalogue, cite, describe, parameters};
 pub use landform_core::stage::{Stage, Verb};

@@ -1,5 +1,6 @@
 //! Which ways slopes face.
 
+use super::is_near_45;
 use crate::algo::derivative::gradient;
 use crate::grid::Grid;
 use crate::{math, parallel};
@@ -27,8 +28,7 @@ pub(super) fn aspects(grid: &Grid, z: &[f64], nodes: &[usize]) -> Option<Aspects
     }
     let degrees = parallel::map(nodes.len(), |k| gradient(grid, z, nodes[k]).aspect().to_degrees());
     let n = degrees.len() as f64;
-    let off = |d: f64| ((d + 22.5).rem_euclid(45.0) - 22.5).abs();
-    let near = parallel::sum(degrees.len(), |k| f64::from(u8::from(off(degrees[k]) <= 2.0))) / n;
+    let near = parallel::sum(degrees.len(), |k| f64::from(u8::from(is_near_45(degrees[k])))) / n;
     let r8 = parallel::sum(degrees.len(), |k| math::cos((8.0 * degrees[k]).to_radians())) / n;
     Some(Aspects { peak: peak(&degrees), near_45: near / (4.0 / 45.0), r8 })
 }

@@ -1,5 +1,6 @@
 //! How straight channels run.
 
+use super::is_near_45;
 use crate::analysis::Drainage;
 use crate::grid::{Domain, Grid, NO_SLOT};
 use crate::{math, parallel};
@@ -67,7 +68,7 @@ pub(super) fn channels<D: Domain>(
         }
         let (a, b) = (grid.shape.cell(i), grid.shape.cell(at));
         let angle = math::atan2(a.row as f64 - b.row as f64, b.col as f64 - a.col as f64).to_degrees();
-        Some(((angle + 22.5).rem_euclid(45.0) - 22.5).abs() <= 2.0)
+        Some(is_near_45(angle))
     };
     let found = parallel::map(receivers.len(), |i| if on(i) { reach(i) } else { None });
     let count = |wanted: bool| found.iter().filter(|f| **f == Some(wanted)).count() as f64;

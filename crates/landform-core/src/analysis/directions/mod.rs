@@ -15,6 +15,7 @@ mod planes;
 
 use serde::{Deserialize, Serialize};
 
+use super::surface::has_all_neighbours;
 use super::{Drainage, Network, network};
 use crate::algo::derivative::gradient;
 use crate::grid::{Domain, Grid};
@@ -90,7 +91,7 @@ const GATES: [(&str, f64, f64, &str); 11] = [
 pub fn directions<D: Domain>(grid: &Grid, z: &[f64], drainage: &Drainage<D>, network: &Network) -> Directions {
     let slopes = parallel::map(z.len(), |i| math::atan(gradient(grid, z, i).slope()).to_degrees());
     // Water has no slope.
-    let faces: Vec<usize> = (0..z.len()).filter(|&i| slopes[i] > 0.0 && is_whole(grid, z, i)).collect();
+    let faces: Vec<usize> = (0..z.len()).filter(|&i| slopes[i] > 0.0 && has_all_neighbours(grid, z, i)).collect();
     let steep: Vec<usize> = faces.iter().copied().filter(|&i| slopes[i] > LEAST_SLOPE).collect();
     let (mode, skew, mean) = shape_of(&faces, &slopes);
     let facing = aspects(grid, z, &steep);
@@ -110,8 +111,7 @@ pub fn directions<D: Domain>(grid: &Grid, z: &[f64], drainage: &Drainage<D>, net
     ];
     let gate = |(&(name, low, high, meaning), value): (&(&str, f64, f64, &str), Option<f64>)| {
         let value = value.filter(|v| v.is_finite());
-        // A rounding error at the end of a range is inside.
-        let inside = value.map(|v| v >= low - 5e-4 && v <= high + 5e-4);
+        let inside = value.and_then(|v| is_natural(v, [low, high]));
         Gate { name: name.into(), value, natural: [low, high], inside, meaning: meaning.into() }
     };
     let cell_size = grid.cell_area().sqrt();
@@ -132,11 +132,15 @@ pub fn directions_of(field: &HeightField) -> Directions {
     directions(field.grid(), z, &drainage, &network)
 }
 
-/// Whether a node and its eight neighbours have data.
-fn is_whole(grid: &Grid, z: &[f64], node: usize) -> bool {
-    let (cell, cols) = (grid.shape.cell(node), grid.shape.cols);
-    let inner = cell.row > 0 && cell.col > 0 && cell.row + 1 < grid.shape.rows && cell.col + 1 < cols;
-    inner && [node - cols, node, node + cols].iter().all(|&m| z[m - 1..=m + 1].iter().all(|v| !v.is_nan()))
+/// Whether a direction lies within 2 degrees of a multiple of 45.
+fn is_near_45(degrees: f64) -> bool {
+    ((degrees + 22.5).rem_euclid(45.0) - 22.5).abs() <= 2.0
+}
+
+/// Whether a value lies in its natural range; none for one that is not finite.
+pub(super) fn is_natural(value: f64, [low, high]: [f64; 2]) -> Option<bool> {
+    // A rounding error at the end of a range is inside.
+    value.is_finite().then_some(value >= low - 5e-4 && value <= high + 5e-4)
 }
 
 /// Share of the commonest degree, skew and mean of slopes.

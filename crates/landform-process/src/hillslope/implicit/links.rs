@@ -4,7 +4,7 @@ use landform_core::grid::{Domain, Status};
 use landform_core::verb::Resolved;
 use landform_core::{Error, Result, parallel};
 
-use super::TOLERANCE;
+use super::{TOLERANCE, between};
 
 const MOST_ITERATIONS: usize = 20_000;
 
@@ -19,36 +19,28 @@ pub(super) struct Links {
 
 impl Links {
     pub(super) fn new<D: Domain>(domain: &D, diffusivity: &Resolved) -> Self {
-        let status = domain.status().to_vec();
-        let (mut start, mut links) = (vec![0], Vec::new());
-        for i in 0..domain.len() {
-            if status[i] != Status::Masked {
-                for link in domain.neighbours(i) {
-                    let conductance = domain.conductance(i, link.slot).max(0.0);
-                    if conductance > 0.0 {
-                        links.push((link.to as u32, conductance * 0.5 * (diffusivity.at(i) + diffusivity.at(link.to))));
-                    }
-                }
-            }
-            start.push(links.len() as u32);
-        }
-        let inner = status.iter().map(|s| *s == Status::Interior).collect();
-        Self { start, links, area: (0..domain.len()).map(|i| domain.area(i)).collect(), inner }
+        let status = domain.status();
+        let links = |i: usize| {
+            let all = domain.neighbours(i).filter(move |_| status[i] != Status::Masked);
+            all.map(move |link| (link.to as u32, between(domain, diffusivity, i, link))).filter(|l| l.1 > 0.0)
+        };
+        let area = (0..domain.len()).map(|i| domain.area(i)).collect();
+        Self::of(links, area, |i| status[i] == Status::Interior)
     }
 
-    /// Of so many nodes of one area: the links of each, and whether it changes.
+    /// Of the links of each node, its area, and whether it changes.
     pub(super) fn of<L: Iterator<Item = (u32, f64)>>(
-        nodes: usize,
         links_of: impl Fn(usize) -> L,
-        area: f64,
+        area: Vec<f64>,
         changes: impl Fn(usize) -> bool,
     ) -> Self {
         let (mut start, mut links) = (vec![0], Vec::new());
-        for i in 0..nodes {
+        for i in 0..area.len() {
             links.extend(links_of(i));
             start.push(links.len() as u32);
         }
-        Self { start, links, area: vec![area; nodes], inner: (0..nodes).map(changes).collect() }
+        let inner = (0..area.len()).map(changes).collect();
+        Self { start, links, area, inner }
     }
 
     fn row(&self, i: usize) -> &[(u32, f64)] {

@@ -11,7 +11,8 @@ use std::borrow::Cow;
 
 use landform_core::grid::{Centres, Domain, Link, Status};
 use landform_core::terrain::{Layer, NodeSurface};
-use landform_core::verb::{Change, Resolved};
+use landform_core::units::DiffusivityDimension;
+use landform_core::verb::{Change, Context, Resolved, Varying};
 use landform_core::{Error, Result, parallel};
 use links::Links;
 pub(super) use rows::Rows;
@@ -23,10 +24,15 @@ const TOLERANCE: f64 = 1e-12;
 #[derive(Clone, Debug)]
 pub(super) struct System {
     solver: Solver,
-    /// Heights at the centres of cells, where nodes stand off them.
-    centres: Option<Centres>,
     /// Inner nodes, base levels beside them, and the conductance between them, m²/s.
     exits: Vec<(u32, u32, f64)>,
+    pub(super) places: Places,
+}
+
+/// Where creep acts: nodes, or the centres of the cells that they stand off.
+#[derive(Clone, Debug)]
+pub(super) struct Places {
+    centres: Option<Centres>,
     area: Vec<f64>,
 }
 
@@ -53,21 +59,36 @@ impl System {
         }
         Self {
             solver: rows.unwrap_or_else(|| Solver::Links(Links::new(domain, diffusivity))),
-            centres: domain.centres(),
             exits,
-            area: (0..domain.len()).map(|i| domain.area(i)).collect(),
+            places: Places::new(domain),
         }
     }
 
     /// The rise of every node in one backward-Euler step, and the one that fluxes at its end belong to.
     pub(super) fn rise(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
+        let by_links = |links: &Links| links.rise(z, dt).map(|rise| [rise.clone(), rise]);
         match &mut self.solver {
             Solver::Rows(rows) => match rows.rise(z, dt) {
-                Err(Error::NotConverged { .. }) => rows.links().rise(z, dt).map(|rise| [rise.clone(), rise]),
+                Err(Error::NotConverged { .. }) => by_links(&rows.links()),
                 found => found,
             },
-            Solver::Links(links) => links.rise(z, dt).map(|rise| [rise.clone(), rise]),
+            Solver::Links(links) => by_links(links),
         }
+    }
+
+    /// Volume flux from inner nodes to base levels after a rise, m³/s.
+    pub(super) fn outflow(&self, z: &[f64], rise: &[f64]) -> f64 {
+        let after = |i: u32| z[i as usize] + rise[i as usize];
+        parallel::sum(self.exits.len(), |k| {
+            let (i, base, g) = self.exits[k];
+            g * (after(i) - after(base))
+        })
+    }
+}
+
+impl Places {
+    pub(super) fn new<D: Domain>(domain: &D) -> Self {
+        Self { centres: domain.centres(), area: (0..domain.len()).map(|i| domain.area(i)).collect() }
     }
 
     /// The heights that creep acts on: those at the centres of cells, where nodes stand off them.
@@ -92,15 +113,24 @@ impl System {
         let volume = |up: f64| parallel::sum(rise.len(), |i| (up * rise[i]).max(0.0) * self.area[i]);
         Change { eroded: volume(-1.0), deposited: volume(1.0), exported, ..Change::default() }
     }
+}
 
-    /// Volume flux from inner nodes to base levels after a rise, m³/s.
-    pub(super) fn outflow(&self, z: &[f64], rise: &[f64]) -> f64 {
-        let after = |i: u32| z[i as usize] + rise[i as usize];
-        parallel::sum(self.exits.len(), |k| {
-            let (i, base, g) = self.exits[k];
-            g * (after(i) - after(base))
-        })
+/// A diffusivity on the nodes of a terrain, m²/s.
+///
+/// # Errors
+/// Where [`Varying::resolve`] fails; [`Error::Parameter`] if it is negative somewhere.
+pub(super) fn resolve_diffusivity<T: NodeSurface>(
+    given: &Varying<DiffusivityDimension>,
+    terrain: &T,
+    context: &Context,
+) -> Result<Resolved> {
+    let diffusivity = given.resolve("diffusivity", terrain, context)?;
+    if let Resolved::PerNode(d) = &diffusivity
+        && let Some(i) = parallel::find_first(d.len(), |i| d[i] < 0.0)
+    {
+        return Err(Error::parameter("diffusivity", format!("negative at node {i}"), "at least 0 everywhere"));
     }
+    Ok(diffusivity)
 }
 
 /// Conductance of a link times the mean diffusivity of its ends, m²/s.

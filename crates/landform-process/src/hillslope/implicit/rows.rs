@@ -137,7 +137,7 @@ impl Rows {
             let all = [(i + 1, of(&self.east, i)), (i.wrapping_sub(cols), north), (i.wrapping_sub(1), west)];
             all.into_iter().chain([(i + cols, of(&self.south, i))]).filter(|l| l.1 > 0.0).map(|(to, g)| (to as u32, g))
         };
-        Links::of(n, links, self.area, |i| of(&self.sum, i) >= 0.0)
+        Links::of(links, vec![self.area; n], |i| of(&self.sum, i) >= 0.0)
     }
 
     fn unpack(&self, values: &[Vec<f64>; 2], factor: f64) -> Vec<f64> {
