@@ -2,8 +2,13 @@
 //!
 //! Work is cut into pieces of fixed size, never by the number of threads, and pieces are combined in order; so a result
 //! has the same bits on any number of threads.
+//!
+//! Which thread does which piece is decided in one function that is compiled once ([`side_by_side`]). So a loop is compiled
+//! once where it is written, and not again for each way in which work can be split and stolen. One indirect call a piece is
+//! all that this costs.
 
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
@@ -12,15 +17,61 @@ use crate::{Error, Result};
 /// Length of a piece. Small enough to balance two cores on 10⁵ nodes, large enough that a piece outweighs its scheduling.
 pub const PIECE: usize = 16_384;
 
+/// Pieces that few but costly values are cut into.
+const PIECES: usize = 64;
+
 /// More threads would spend their time waiting for each other.
 const MOST_THREADS: usize = 512;
 
-fn pieces(n: usize) -> usize {
-    n.div_ceil(PIECE)
+/// Does `work` of 0..count, on all threads.
+#[inline(never)]
+fn side_by_side(count: usize, work: &(dyn Fn(usize) + Sync)) {
+    match count {
+        0 => {}
+        1 => work(0),
+        _ => (0..count).into_par_iter().for_each(work),
+    }
 }
 
-fn piece(k: usize, n: usize) -> Range<usize> {
-    k * PIECE..((k + 1) * PIECE).min(n)
+/// A value that one thread puts in or takes out, once.
+struct Once<T>(Mutex<Option<T>>);
+
+impl<T> Once<T> {
+    fn new(value: Option<T>) -> Self {
+        Self(Mutex::new(value))
+    }
+
+    fn swap(&self, value: Option<T>) -> Option<T> {
+        std::mem::replace(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner), value)
+    }
+}
+
+/// Does `work` of every task and its number.
+fn each<T: Send>(tasks: Vec<T>, work: &(dyn Fn(usize, T) + Sync)) {
+    let tasks: Vec<_> = tasks.into_iter().map(|task| Once::new(Some(task))).collect();
+    side_by_side(tasks.len(), &|k| {
+        if let Some(task) = tasks[k].swap(None) {
+            work(k, task);
+        }
+    });
+}
+
+/// What `work` gives of 0..count, in order.
+fn gather<R: Send>(count: usize, work: &(dyn Fn(usize) -> R + Sync)) -> Vec<R> {
+    let results: Vec<_> = (0..count).map(|_| Once::new(None)).collect();
+    side_by_side(count, &|k| {
+        results[k].swap(Some(work(k)));
+    });
+    results.iter().filter_map(|result| result.swap(None)).collect()
+}
+
+fn piece(k: usize, n: usize, size: usize) -> Range<usize> {
+    k * size..((k + 1) * size).min(n)
+}
+
+/// How many of `n` values, which may be costly, make a piece.
+fn piece_of_costly(n: usize) -> usize {
+    PIECE.min(n / PIECES + 1)
 }
 
 /// The sum of `f` over 0..n, added in a fixed order. **Cost** O(n).
@@ -39,16 +90,20 @@ pub fn find_first(n: usize, f: impl Fn(usize) -> bool + Sync) -> Option<usize> {
 }
 
 /// `f` of every index, in order.
-pub fn map<T: Send>(n: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    (0..n).into_par_iter().with_min_len(PIECE.min(n / 64 + 1)).map(&f).collect()
+pub fn map<T: Send + Clone + Default>(n: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let mut out = vec![T::default(); n];
+    let size = piece_of_costly(n);
+    each(out.chunks_mut(size).collect(), &|k, piece: &mut [T]| {
+        for (j, v) in piece.iter_mut().enumerate() {
+            *v = f(k * size + j);
+        }
+    });
+    out
 }
 
 /// `f` of every piece of 0..n, in order.
 pub fn map_pieces<T: Send>(n: usize, f: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    if n <= PIECE {
-        return if n == 0 { Vec::new() } else { vec![f(0..n)] };
-    }
-    (0..pieces(n)).into_par_iter().map(|k| f(piece(k, n))).collect()
+    gather(n.div_ceil(PIECE), &|k| f(piece(k, n, PIECE)))
 }
 
 /// Sets `out[i] = f(i)`.
@@ -58,20 +113,27 @@ pub fn fill<T: Send>(out: &mut [T], f: impl Fn(usize) -> T + Sync) {
 
 /// Calls `f(i, &mut out[i])` for every index.
 pub fn update<T: Send>(out: &mut [T], f: impl Fn(usize, &mut T) + Sync) {
-    for_rows_mut(out, PIECE, |k, row| {
-        for (j, v) in row.iter_mut().enumerate() {
+    each(out.chunks_mut(PIECE).collect(), &|k, piece: &mut [T]| {
+        for (j, v) in piece.iter_mut().enumerate() {
             f(k * PIECE + j, v);
         }
     });
 }
 
+/// How many rows of `cols` values make a piece.
+fn rows_of_a_piece(rows: usize, cols: usize) -> usize {
+    (PIECE / cols.max(1)).min(rows / PIECES).max(1)
+}
+
 /// Calls `f(row, values)` for every row of a row-major slice.
 pub fn for_rows_mut<T: Send>(out: &mut [T], cols: usize, f: impl Fn(usize, &mut [T]) + Sync) {
-    if out.len() <= PIECE.max(cols) {
-        out.chunks_mut(cols.max(1)).enumerate().for_each(|(k, row)| f(k, row));
-    } else {
-        out.par_chunks_mut(cols).enumerate().for_each(|(k, row)| f(k, row));
-    }
+    let cols = cols.max(1);
+    let rows = rows_of_a_piece(out.len() / cols, cols);
+    each(out.chunks_mut(rows * cols).collect(), &|k, piece: &mut [T]| {
+        for (j, row) in piece.chunks_mut(cols).enumerate() {
+            f(k * rows + j, row);
+        }
+    });
 }
 
 /// Calls `f(first index, a, b)` for matching pieces of two slices of equal length.
@@ -82,10 +144,8 @@ pub fn for_pieces_mut2<A: Send, B: Send>(
     f: impl Fn(usize, &mut [A], &mut [B]) + Sync,
 ) {
     let size = size.max(1);
-    if a.len() <= size {
-        return f(0, a, b);
-    }
-    a.par_chunks_mut(size).zip(b.par_chunks_mut(size)).enumerate().for_each(|(k, (a, b))| f(k * size, a, b));
+    let pieces: Vec<_> = a.chunks_mut(size).zip(b.chunks_mut(size)).collect();
+    each(pieces, &|k, (a, b): (&mut [A], &mut [B])| f(k * size, a, b));
 }
 
 /// Sorts by a total order in which no two different values are equal, so that the result does not depend on how it is done.
@@ -101,7 +161,13 @@ pub fn for_rows_mut2<A: Send, B: Send>(
     cols_b: usize,
     f: impl Fn(usize, &mut [A], &mut [B]) + Sync,
 ) {
-    a.par_chunks_mut(cols_a).zip(b.par_chunks_mut(cols_b)).enumerate().for_each(|(row, (a, b))| f(row, a, b));
+    let rows = rows_of_a_piece(a.len() / cols_a.max(1), cols_a.max(cols_b));
+    let pieces: Vec<_> = a.chunks_mut(rows * cols_a).zip(b.chunks_mut(rows * cols_b)).collect();
+    each(pieces, &|k, (a, b): (&mut [A], &mut [B])| {
+        for (j, (a, b)) in a.chunks_mut(cols_a).zip(b.chunks_mut(cols_b)).enumerate() {
+            f(k * rows + j, a, b);
+        }
+    });
 }
 
 /// Calls `f(first index, pieces)` for matching pieces of slices of equal length and returns what it gives, in order.
@@ -113,16 +179,14 @@ pub fn map_pieces_mut<const N: usize, A: Send, T: Send>(
     let size = size.max(1);
     let count = slices.first().map_or(0, |s| s.len().div_ceil(size));
     let mut chunks = slices.map(|s| s.chunks_mut(size));
-    let pieces: Vec<_> = (0..count).map(|_| chunks.each_mut().map(|c| c.next().unwrap_or_default())).collect();
-    pieces.into_par_iter().enumerate().map(|(k, piece)| f(k * size, piece)).collect()
+    let pieces: Vec<_> = (0..count).map(|k| (k, chunks.each_mut().map(|c| c.next().unwrap_or_default()))).collect();
+    run_all(pieces, |(k, piece)| f(k * size, piece))
 }
 
 /// Does `f` for every task, side by side; returns what it gives, in order.
 pub fn run_all<T: Send, R: Send>(tasks: Vec<T>, f: impl Fn(T) -> R + Sync) -> Vec<R> {
-    if tasks.len() == 1 {
-        return tasks.into_iter().map(f).collect();
-    }
-    tasks.into_par_iter().map(&f).collect()
+    let tasks: Vec<_> = tasks.into_iter().map(|task| Once::new(Some(task))).collect();
+    gather(tasks.len(), &|k| tasks[k].swap(None).map(&f)).into_iter().flatten().collect()
 }
 
 /// Runs `f` on exactly `threads` threads (0: as many as there are cores).

@@ -1,12 +1,13 @@
 //! Moving pictures: GIF (256 colours a frame) and APNG (all of them).
 
-use image::codecs::gif::{GifEncoder, Repeat};
-use image::{Delay, Frame, RgbaImage};
+use gif::{DisposalMethod, Encoder, Frame, Repeat};
 use landform_core::grid::Shape;
 use landform_core::{Error, Result};
 
 /// Milliseconds that a frame is shown.
-const FRAME: u32 = 120;
+const FRAME: u16 = 120;
+/// How fast the 256 colours of a frame are chosen: 1 slow and good, 30 fast.
+const SPEED: i32 = 10;
 
 /// Pixels of a frame: 8-bit red, green, blue, row-major from the top.
 type Pixels = [[u8; 3]];
@@ -40,16 +41,17 @@ pub fn animation_extension(path: &str) -> Result<&'static str> {
 }
 
 fn gif(shape: Shape, frames: &[&Pixels]) -> Result<Vec<u8>> {
-    let fail = |e: image::ImageError| Error::format("GIF", e);
+    let fail = |e: gif::EncodingError| Error::format("GIF", e);
+    let side = |n: usize| u16::try_from(n).map_err(|_| Error::format("GIF", "a side has more than 65535 pixels"));
+    let (cols, rows) = (side(shape.cols)?, side(shape.rows)?);
     let mut bytes = Vec::new();
-    let mut encoder = GifEncoder::new_with_speed(&mut bytes, 10);
+    let mut encoder = Encoder::new(&mut bytes, cols, rows, &[]).map_err(fail)?;
     encoder.set_repeat(Repeat::Infinite).map_err(fail)?;
-    for frame in frames {
-        let pixels = frame.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
-        let image = RgbaImage::from_raw(shape.cols as u32, shape.rows as u32, pixels)
-            .ok_or_else(|| Error::format("GIF", "a frame has too few pixels"))?;
-        let delay = Delay::from_numer_denom_ms(FRAME, 1);
-        encoder.encode_frame(Frame::from_parts(image, 0, 0, delay)).map_err(fail)?;
+    for pixels in frames {
+        let mut frame = Frame::from_rgb_speed(cols, rows, pixels.as_flattened(), SPEED);
+        frame.delay = FRAME / 10;
+        frame.dispose = DisposalMethod::Background;
+        encoder.write_frame(&frame).map_err(fail)?;
     }
     drop(encoder);
     Ok(bytes)
@@ -62,7 +64,7 @@ fn apng(shape: Shape, frames: &[&Pixels]) -> Result<Vec<u8>> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_animated(frames.len() as u32, 0).map_err(fail)?;
-    encoder.set_frame_delay(FRAME as u16, 1000).map_err(fail)?;
+    encoder.set_frame_delay(FRAME, 1000).map_err(fail)?;
     let mut writer = encoder.write_header().map_err(fail)?;
     for frame in frames {
         writer.write_image_data(frame.as_flattened()).map_err(fail)?;
@@ -81,9 +83,10 @@ mod tests {
         let pixels = [0, 60, 120].map(|v: u8| vec![[v, 2 * v, 255 - v]; 54]);
         let frames: Vec<&Pixels> = pixels.iter().map(Vec::as_slice).collect();
         let gif = encode_animation("a.gif", shape, &frames).unwrap();
-        let decoder = image::codecs::gif::GifDecoder::new(std::io::Cursor::new(&gif)).unwrap();
-        assert_eq!(image::ImageDecoder::dimensions(&decoder), (9, 6));
-        assert_eq!(image::AnimationDecoder::into_frames(decoder).count(), 3);
+        let mut decoder = gif::DecodeOptions::new().read_info(gif.as_slice()).unwrap();
+        assert_eq!((decoder.width(), decoder.height()), (9, 6));
+        let delays = std::iter::from_fn(|| decoder.read_next_frame().unwrap().map(|f| f.delay));
+        assert_eq!(delays.collect::<Vec<_>>(), [12; 3]);
         let apng = encode_animation("a.png", shape, &frames).unwrap();
         let reader = png::Decoder::new(std::io::Cursor::new(apng)).read_info().unwrap();
         assert_eq!(reader.info().animation_control().unwrap().num_frames, 3);

@@ -2,7 +2,6 @@
 
 use std::io::Cursor;
 
-use image::{ColorType, DynamicImage, ImageEncoder, ImageFormat, ImageReader};
 use landform_core::grid::Shape;
 use landform_core::verb::Image;
 use landform_core::{Error, Result};
@@ -11,21 +10,64 @@ use super::raw16::quantize;
 use super::said::Stored;
 use super::{RasterFile, Samples, Sidecar, check_dimensions, pnm};
 
-fn name(format: ImageFormat) -> &'static str {
-    if format == ImageFormat::Png { "PNG" } else { "PNM" }
+/// A picture as it is stored: numbers from 0 to `greatest`.
+pub(super) struct Pixels {
+    pub(super) shape: Shape,
+    /// Grey, or red, green, blue.
+    pub(super) colours: usize,
+    pub(super) has_opacity: bool,
+    /// Colours, then opacity, of each pixel.
+    pub(super) samples: Vec<u16>,
+    pub(super) greatest: u16,
 }
 
-fn decode(bytes: &[u8], format: ImageFormat) -> Result<DynamicImage> {
-    let name = name(format);
-    let fail = |e: image::ImageError| Error::format(name, e);
-    let reader = || ImageReader::with_format(Cursor::new(bytes), format);
-    let (width, height) = reader().into_dimensions().map_err(fail)?;
-    check_dimensions(name, u64::from(height), u64::from(width), 1, bytes.len())?;
-    let mut reader = reader();
-    let mut limits = image::Limits::default();
-    limits.max_alloc = Some(super::most_unpacked(bytes.len()).saturating_mul(8));
-    reader.limits(limits);
-    reader.decode().map_err(fail)
+impl Pixels {
+    fn pixels(&self) -> impl Iterator<Item = &[u16]> {
+        self.samples.chunks_exact(self.colours + usize::from(self.has_opacity))
+    }
+
+    /// Luminance of each pixel (ITU-R BT.709), in the picture's own numbers.
+    fn grey(&self) -> Vec<u16> {
+        let luminance = |p: &[u16]| {
+            let sum = [2126, 7152, 722].iter().zip(p).map(|(weight, v)| weight * u32::from(*v)).sum::<u32>();
+            (sum / 10_000) as u16
+        };
+        self.pixels().map(|p| if self.colours == 3 { luminance(p) } else { p[0] }).collect()
+    }
+
+    fn is_coloured(&self) -> bool {
+        self.colours == 3 && self.pixels().any(|p| p[0] != p[1] || p[1] != p[2])
+    }
+
+    /// Where the picture is not wholly transparent; none where it has no opacity, or says nothing by it.
+    fn visible(&self) -> Option<Vec<bool>> {
+        let visible: Vec<bool> = self.has_opacity.then(|| self.pixels().map(|p| p[self.colours] > 0).collect())?;
+        visible.contains(&true).then_some(visible)
+    }
+}
+
+fn decode_png(bytes: &[u8]) -> Result<Pixels> {
+    let fail = |e: png::DecodingError| Error::format("PNG", e);
+    let bytes_at_most = usize::try_from(super::most_unpacked(bytes.len()).saturating_mul(8)).unwrap_or(usize::MAX);
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: bytes_at_most });
+    // Palettes become colours, and fewer than 8 bits are spread over 8.
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(fail)?;
+    let info = reader.info();
+    let (shape, bits) = (Shape::new(info.height as usize, info.width as usize), info.bit_depth as u16);
+    let is_grey = matches!(info.color_type, png::ColorType::Grayscale | png::ColorType::GrayscaleAlpha);
+    check_dimensions("PNG", u64::from(info.height), u64::from(info.width), 1, bytes.len())?;
+    let size = reader.output_buffer_size().ok_or_else(|| Error::format("PNG", "it is too large"))?;
+    let mut stored = vec![0; size];
+    reader.next_frame(&mut stored).map_err(fail)?;
+    let (colour, depth) = reader.output_color_type();
+    let greatest = if is_grey { u16::MAX >> (16 - bits) } else { u16::MAX >> (16 - depth as u16) };
+    let samples = match depth {
+        png::BitDepth::Sixteen => stored.chunks_exact(2).map(|b| u16::from_be_bytes([b[0], b[1]])).collect(),
+        _ => stored.into_iter().map(|b| u16::from(b) / (255 / greatest)).collect(),
+    };
+    let has_opacity = matches!(colour, png::ColorType::GrayscaleAlpha | png::ColorType::Rgba);
+    Ok(Pixels { shape, colours: colour.samples() - usize::from(has_opacity), has_opacity, samples, greatest })
 }
 
 /// Reads a picture as grey, 0 black to 1 white.
@@ -33,42 +75,17 @@ fn decode(bytes: &[u8], format: ImageFormat) -> Result<DynamicImage> {
 /// # Errors
 /// [`Error::Format`].
 pub fn read_grey(bytes: &[u8]) -> Result<Image> {
-    let image = |shape: Shape, samples: Vec<u16>, white: f64| Image {
-        rows: shape.rows,
-        cols: shape.cols,
-        values: samples.into_iter().map(|v| f64::from(v) / white).collect(),
-    };
-    if pnm::is_grey(bytes) {
-        let grey = pnm::read(bytes)?;
-        return Ok(image(grey.shape, grey.samples, f64::from(grey.greatest)));
-    }
-    let picture = decode(bytes, if bytes.starts_with(b"P") { ImageFormat::Pnm } else { ImageFormat::Png })?;
-    let shape = shape(&picture);
-    Ok(if is_deep(&picture) {
-        image(shape, picture.into_luma16().into_raw(), 65_535.0)
-    } else {
-        image(shape, picture.into_luma8().into_raw().into_iter().map(u16::from).collect(), 255.0)
-    })
-}
-
-fn shape(picture: &DynamicImage) -> Shape {
-    Shape::new(picture.height() as usize, picture.width() as usize)
-}
-
-fn is_deep(picture: &DynamicImage) -> bool {
-    picture.color().bytes_per_pixel() / picture.color().channel_count() > 1
+    let picture = if bytes.starts_with(b"P") { pnm::read(bytes)? } else { decode_png(bytes)? };
+    let white = f64::from(picture.greatest);
+    let values = picture.grey().into_iter().map(|v| f64::from(v) / white).collect();
+    Ok(Image { rows: picture.shape.rows, cols: picture.shape.cols, values })
 }
 
 /// Grey numbers as they are stored, masked by opacity.
-fn read(bytes: &[u8], format: ImageFormat) -> Result<Stored> {
-    let picture = decode(bytes, format)?;
-    let (shape, color) = (shape(&picture), picture.color());
-    let is_deep = is_deep(&picture);
-    let pixels = picture.into_rgba16();
-    let is_coloured = color.has_color() && pixels.pixels().any(|p| p[0] != p[1] || p[1] != p[2]);
-    if is_coloured {
+fn stored(picture: &Pixels, name: &'static str) -> Result<Stored> {
+    if picture.is_coloured() {
         return Err(Error::Format {
-            format: name(format),
+            format: name,
             what: "it is a colour picture: its colours are no elevations".into(),
             hint: Some(
                 "save it as grey of 16 bits; tiles of coded colours (Terrarium, Mapbox) must be decoded first, as by gdal_calc"
@@ -76,33 +93,16 @@ fn read(bytes: &[u8], format: ImageFormat) -> Result<Stored> {
             ),
         });
     }
-    // Fewer bits were spread over 16.
-    let step = if is_deep { 1 } else { u16::MAX / greatest(bytes) };
-    let samples = pixels.pixels().map(|p| f64::from(p[0] / step)).collect();
-    let valid = color.has_alpha().then(|| pixels.pixels().map(|p| p[3] > 0).collect::<Vec<bool>>());
-    // A picture that is nowhere opaque says nothing by it.
-    let valid = valid.filter(|v| v.contains(&true));
-    Ok(Stored { valid, ..Stored::bare(shape, samples) })
-}
-
-/// The greatest number of a picture of at most 8 bits: grey PNG files may have fewer.
-fn greatest(bytes: &[u8]) -> u16 {
-    match bytes.get(24..26) {
-        Some(&[bits @ (1 | 2 | 4), 0]) if bytes.starts_with(b"\x89PNG") => (1 << bits) - 1,
-        _ => 255,
-    }
+    let samples = picture.pixels().map(|p| f64::from(p[0])).collect();
+    Ok(Stored { valid: picture.visible(), ..Stored::bare(picture.shape, samples) })
 }
 
 pub(super) fn read_png(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
-    read(bytes, ImageFormat::Png)
+    stored(&decode_png(bytes)?, "PNG")
 }
 
 pub(super) fn read_pnm(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
-    if !pnm::is_grey(bytes) {
-        return read(bytes, ImageFormat::Pnm);
-    }
-    let grey = pnm::read(bytes)?;
-    Ok(Stored::bare(grey.shape, grey.samples.into_iter().map(f64::from).collect()))
+    stored(&pnm::read(bytes)?, "PNM")
 }
 
 /// Classes as bytes.
@@ -112,10 +112,10 @@ fn classes(file: &RasterFile) -> Option<Vec<u8>> {
 
 pub(super) fn write_png(file: &RasterFile) -> Result<Vec<u8>> {
     if let Some(bytes) = classes(file) {
-        return encode(&bytes, file.grid.shape, ColorType::L8);
+        return encode(&bytes, file.grid.shape, png::ColorType::Grayscale, png::BitDepth::Eight);
     }
-    let samples: Vec<u8> = quantize(file).into_iter().flat_map(u16::to_ne_bytes).collect();
-    encode(&samples, file.grid.shape, ColorType::L16)
+    let samples: Vec<u8> = quantize(file).into_iter().flat_map(u16::to_be_bytes).collect();
+    encode(&samples, file.grid.shape, png::ColorType::Grayscale, png::BitDepth::Sixteen)
 }
 
 pub(super) fn write_pgm(file: &RasterFile) -> Result<Vec<u8>> {
@@ -133,14 +133,61 @@ pub(super) fn write_pgm(file: &RasterFile) -> Result<Vec<u8>> {
 /// # Errors
 /// [`Error::Format`] if the pixels do not fit the shape.
 pub fn encode_png(pixels: &[[u8; 3]], shape: Shape) -> Result<Vec<u8>> {
-    encode(pixels.as_flattened(), shape, ColorType::Rgb8)
+    encode(pixels.as_flattened(), shape, png::ColorType::Rgb, png::BitDepth::Eight)
 }
 
-fn encode(samples: &[u8], shape: Shape, color: ColorType) -> Result<Vec<u8>> {
+fn encode(samples: &[u8], shape: Shape, colour: png::ColorType, depth: png::BitDepth) -> Result<Vec<u8>> {
     let size = |n: usize| u32::try_from(n).map_err(|e| Error::format("PNG", e));
+    let fail = |e: png::EncodingError| Error::format("PNG", e);
     let mut bytes = Vec::new();
-    image::codecs::png::PngEncoder::new(&mut bytes)
-        .write_image(samples, size(shape.cols)?, size(shape.rows)?, color.into())
-        .map_err(|e| Error::format("PNG", e))?;
+    let mut encoder = png::Encoder::new(&mut bytes, size(shape.cols)?, size(shape.rows)?);
+    encoder.set_color(colour);
+    encoder.set_depth(depth);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Adaptive);
+    encoder.write_header().and_then(|mut writer| writer.write_image_data(samples)).map_err(fail)?;
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn png(colour: png::ColorType, depth: png::BitDepth, samples: &[u8]) -> Pixels {
+        decode_png(&encode(samples, Shape::new(1, 2), colour, depth).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn numbers_stay_as_stored_whatever_their_bits() {
+        let grey = png::ColorType::Grayscale;
+        for (depth, samples, greatest, found) in [
+            (png::BitDepth::One, &[0b0100_0000][..], 1, [0, 1]),
+            (png::BitDepth::Two, &[0b0111_0000], 3, [1, 3]),
+            (png::BitDepth::Four, &[0x5f], 15, [5, 15]),
+            (png::BitDepth::Eight, &[7, 255], 255, [7, 255]),
+            (png::BitDepth::Sixteen, &[1, 2, 0xff, 0xff], 65_535, [258, 65_535]),
+        ] {
+            let picture = png(grey, depth, samples);
+            assert_eq!((picture.samples.as_slice(), picture.greatest), (&found[..], greatest));
+        }
+    }
+
+    #[test]
+    fn colours_become_luminance_and_opacity_a_mask() {
+        let colours = png(png::ColorType::Rgb, png::BitDepth::Eight, &[255, 0, 0, 10, 10, 10]);
+        assert!(colours.is_coloured() && stored(&colours, "PNG").is_err());
+        assert_eq!(colours.grey(), [54, 10]);
+        let opaque = png(png::ColorType::GrayscaleAlpha, png::BitDepth::Eight, &[9, 0, 8, 1]);
+        assert_eq!(stored(&opaque, "PNG").unwrap().valid, Some(vec![false, true]));
+        let clear = png(png::ColorType::Rgba, png::BitDepth::Eight, &[1, 1, 1, 0, 2, 2, 2, 0]);
+        assert_eq!(stored(&clear, "PNG").unwrap().valid, None);
+    }
+
+    #[test]
+    fn a_grey_picture_of_colours_is_read_as_grey() {
+        let plain = pnm::read(b"P6 2 1 255\n\x07\x07\x07\x09\x09\x09").unwrap();
+        assert_eq!(stored(&plain, "PNM").unwrap().samples, [7.0, 9.0]);
+        let image = read_grey(b"P3 1 1 100 50 50 50").unwrap();
+        assert_eq!(image.values, [0.5]);
+    }
 }

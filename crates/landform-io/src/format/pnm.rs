@@ -1,54 +1,54 @@
-//! Grey PNM pictures as they are stored: numbers up to a greatest one of any size.
+//! PNM pictures as they are stored: numbers up to a greatest one of any size.
 //!
 //! # Sources
-//! Netpbm, formats PGM (P5) and plain PGM (P2).
+//! Netpbm, formats PGM (P5, plain P2) and PPM (P6, plain P3).
 
 use landform_core::grid::Shape;
 use landform_core::{Error, Result};
 
 use super::check_dimensions;
+use super::picture::Pixels;
 
 const NAME: &str = "PNM";
 
-/// Grey samples, and the greatest that there can be.
-pub(super) struct Grey {
-    pub(super) shape: Shape,
-    pub(super) samples: Vec<u16>,
-    pub(super) greatest: u16,
-}
-
-/// Whether the bytes begin as such a picture does.
-pub(super) fn is_grey(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"P5") || bytes.starts_with(b"P2")
-}
-
-/// Reads a grey picture.
+/// Reads a picture.
 ///
 /// # Errors
 /// [`Error::Format`].
-pub(super) fn read(bytes: &[u8]) -> Result<Grey> {
+pub(super) fn read(bytes: &[u8]) -> Result<Pixels> {
+    let (colours, is_plain) = match bytes.get(..2) {
+        Some(b"P2") => (1, true),
+        Some(b"P3") => (3, true),
+        Some(b"P5") => (1, false),
+        Some(b"P6") => (3, false),
+        _ => return Err(Error::format(NAME, "it begins with none of P2, P3, P5 and P6")),
+    };
     let mut words = Words { rest: bytes.get(2..).unwrap_or_default() };
     let mut number = |name: &str| words.number().ok_or_else(|| Error::format(NAME, format!("it has no {name}")));
     let (cols, rows, greatest) = (number("width")?, number("height")?, number("greatest value")?);
-    check_dimensions(NAME, u64::from(rows), u64::from(cols), 1, bytes.len())?;
+    check_dimensions(NAME, u64::from(rows), u64::from(cols), colours, bytes.len())?;
     let greatest = u16::try_from(greatest).ok().filter(|g| *g > 0);
     let greatest = greatest.ok_or_else(|| Error::format(NAME, "its greatest value is not within 1 and 65535"))?;
     let shape = Shape::new(rows as usize, cols as usize);
-    let samples: Vec<u16> = if bytes.starts_with(b"P2") {
-        std::iter::from_fn(|| words.number()).take(shape.len()).map(|v| u16::try_from(v).unwrap_or(u16::MAX)).collect()
+    let count = shape.len() * colours as usize;
+    let samples: Vec<u16> = if is_plain {
+        std::iter::from_fn(|| words.number()).take(count).map(|v| u16::try_from(v).unwrap_or(u16::MAX)).collect()
     } else {
         // One white space ends the header.
         let data = words.rest.get(1..).unwrap_or_default();
         if greatest < 256 {
-            data.iter().take(shape.len()).map(|b| u16::from(*b)).collect()
+            data.iter().take(count).map(|b| u16::from(*b)).collect()
         } else {
-            data.chunks_exact(2).take(shape.len()).map(|b| u16::from_be_bytes([b[0], b[1]])).collect()
+            data.chunks_exact(2).take(count).map(|b| u16::from_be_bytes([b[0], b[1]])).collect()
         }
     };
-    if samples.len() < shape.len() {
-        return Err(Error::format(NAME, format!("it has {} samples for {cols} x {rows}: truncated", samples.len())));
+    if samples.len() < count {
+        return Err(Error::format(
+            NAME,
+            format!("it has {} samples of {count} ({cols} x {rows}): truncated", samples.len()),
+        ));
     }
-    Ok(Grey { shape, samples, greatest })
+    Ok(Pixels { shape, colours: colours as usize, has_opacity: false, samples, greatest })
 }
 
 struct Words<'a> {

@@ -149,7 +149,7 @@ impl Camera {
 }
 
 /// All values of a node that shading needs.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Skin {
     normal: Vector,
     colour: Rgb,

@@ -107,7 +107,7 @@ pub(super) fn uplift(grid: &Grid, weights: &Weights) -> f64 {
 }
 
 /// A node once it is cut, before smoothing.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Cut {
     z: f64,
     /// f of the equation.

@@ -162,9 +162,9 @@ impl Sweep {
         let cache = Cache::in_memory(memory.map_or(MOST_MEMORY, |m| (m / 8).min(MOST_MEMORY)));
         let mut rows = Vec::with_capacity(runs.len());
         for first in (0..runs.len()).step_by(at_once) {
-            let batch = parallel::map((runs.len() - first).min(at_once), |k| {
-                let row = self.one(&recipes[first + k], &runs[first + k], &cache, cancel)?;
-                done(first + k, &row);
+            let batch = parallel::run_all((first..(first + at_once).min(runs.len())).collect(), |k: usize| {
+                let row = self.one(&recipes[k], &runs[k], &cache, cancel)?;
+                done(k, &row);
                 Ok(row)
             });
             for row in batch {

@@ -8,7 +8,7 @@ use crate::grid::Grid;
 use crate::{math, parallel};
 
 /// Rise over run along x (east) and y (north).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gradient {
     /// ∂z/∂x.
     pub x: f64,

@@ -85,7 +85,7 @@ impl<'a> Blocks<'a> {
         let blocks: Vec<Result<Option<Vec<f64>>>> = if self.packing == Packing::Jpeg {
             (0..self.plane()).map(|k| self.picture(tiff, first + k, band)).collect()
         } else {
-            parallel::map(self.plane(), |k| self.block(first + k, k, band))
+            parallel::run_all((0..self.plane()).collect(), |k| self.block(first + k, k, band))
         };
         let mut samples = vec![absent; self.shape.len()];
         let mut missing = 0;

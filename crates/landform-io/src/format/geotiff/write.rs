@@ -66,7 +66,7 @@ fn blocks(file: &RasterFile) -> Result<Vec<Vec<u8>>> {
     }
     let across = shape.cols.div_ceil(cols);
     let count = across * shape.rows.div_ceil(rows);
-    parallel::map(count, |k| {
+    parallel::run_all((0..count).collect(), |k| {
         let (top, left) = (k / across * rows, k % across * cols);
         // Strips end with the image, tiles are always whole.
         let height = if file.geotiff.tile.is_some() { rows } else { rows.min(shape.rows - top) };
