@@ -154,7 +154,7 @@ impl Landscape {
     pub fn measure<P: Params>(&self, params: P) -> Result<serde_json::Value> {
         let stage = read(&params)?;
         let mut out = MemoryOutput::default();
-        stage.tell(&self.view(), &mut out)?;
+        stage.report(&self.view(), &mut out)?;
         let bytes = out.0.into_values().next().unwrap_or_default();
         serde_json::from_slice(&bytes).map_err(|e| Error::format("JSON", e))
     }

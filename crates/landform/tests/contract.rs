@@ -13,7 +13,7 @@ use landform::core::terrain::{HeightField, Kind, Layer, Mesh, NodeSurface, Repre
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
 use landform::recipe::{
-    AnyTerrain, Cache, Options, Over, Override, Ran, Recipe, Signal, Stage, Sweep, Tells, Verb, contact_sheet,
+    AnyTerrain, Cache, Options, Outputs, Over, Override, Ran, Recipe, Signal, Stage, Sweep, Verb, contact_sheet,
     parameters, schema, stages,
 };
 
@@ -335,7 +335,7 @@ fn a_watched_run_writes_what_it_saw_even_from_the_cache() {
     let table = String::from_utf8(first.0["t.csv"].clone()).unwrap();
     let times: Vec<f64> = table.lines().skip(1).map(|l| l.split(',').nth(1).unwrap().parse().unwrap()).collect();
     assert!(times.iter().zip([2.5e5, 5e5, 7.5e5, 1e6]).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{times:?}");
-    let quiet = Options { tells: Tells::Nothing, ..Options::default() };
+    let quiet = Options { outputs: Outputs::Nothing, ..Options::default() };
     let mut nothing = MemoryOutput::default();
     recipe(WATCHED).run(&mut nothing, &quiet).unwrap();
     assert!(nothing.0.is_empty());
@@ -417,18 +417,18 @@ fn looking_at_fixed_times_is_part_of_the_recipe() {
     let plain = text.lines().filter(|l| !l.starts_with("watch")).collect::<Vec<_>>().join("\n");
     let folder = tempfile::tempdir().unwrap();
     let cache = Cache::on_disk(folder.path());
-    let ran = |text: &str, tells: Tells| {
-        let options = Options { cache: Some(&cache), tells, ..Options::default() };
+    let ran = |text: &str, outputs: Outputs| {
+        let options = Options { cache: Some(&cache), outputs, ..Options::default() };
         match recipe(text).run(&mut MemoryOutput::default(), &options).unwrap() {
             Ran::ToTheEnd(terrain, _) => terrain,
             Ran::Interrupted(_) => panic!("interrupted"),
         }
     };
-    let (watched, unwatched) = (ran(&text, Tells::All), ran(&plain, Tells::All));
+    let (watched, unwatched) = (ran(&text, Outputs::All), ran(&plain, Outputs::All));
     assert!(watched != unwatched, "steps are shortened to the looks, and the cache knows it");
     assert!(*unwatched == run(&plain));
     assert!(cache.clear().unwrap() > 0);
-    assert!(ran(&text, Tells::Nothing) == watched, "a quiet run takes the same steps");
+    assert!(ran(&text, Outputs::Nothing) == watched, "a quiet run takes the same steps");
 }
 
 #[test]

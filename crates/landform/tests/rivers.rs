@@ -9,11 +9,11 @@ use landform::core::field::names;
 use landform::core::math;
 use landform::core::terrain::{HeightField, NodeSurface};
 use landform::core::verb::MemoryOutput;
-use landform::recipe::{AnyTerrain, Options, Ran, Recipe, Tells};
+use landform::recipe::{AnyTerrain, Options, Outputs, Ran, Recipe};
 
 fn run(text: &str) -> HeightField {
     let recipe = Recipe::parse(text, "a test", Path::new("."), &[]).unwrap();
-    let quiet = Options { tells: Tells::Nothing, ..Options::default() };
+    let quiet = Options { outputs: Outputs::Nothing, ..Options::default() };
     let Ran::ToTheEnd(terrain, _) = recipe.run(&mut MemoryOutput::default(), &quiet).unwrap() else { panic!() };
     let AnyTerrain::HeightField(field) = &*terrain else { panic!("not a raster") };
     field.clone()

@@ -8,7 +8,7 @@ use std::time::Instant;
 use landform::core::field::names;
 use landform::core::verb::MemoryOutput;
 use landform::core::{Error, Result};
-use landform::recipe::{AnyTerrain, Options, Ran, Recipe, Tells};
+use landform::recipe::{AnyTerrain, Options, Outputs, Ran, Recipe};
 
 use super::self_organised::{Figure, Page, nothing};
 
@@ -76,7 +76,7 @@ fn slope(transport: &str, rounds: u32, [cols, rows]: [u32; 2], more: &str) -> St
 fn run(text: &str) -> Result<(Arc<AnyTerrain>, f64)> {
     let recipe = Recipe::parse(text, "a run", Path::new("."), &[])?;
     let begun = Instant::now();
-    let quiet = Options { tells: Tells::Nothing, ..Options::default() };
+    let quiet = Options { outputs: Outputs::Nothing, ..Options::default() };
     let Ran::ToTheEnd(terrain, _) = recipe.run(&mut MemoryOutput::default(), &quiet)? else {
         return Err(Error::Empty { what: "the run".into() });
     };

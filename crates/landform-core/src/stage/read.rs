@@ -146,7 +146,7 @@ impl ReadStage {
     ///
     /// # Errors
     /// If the stage fails; the error is the stage's own.
-    pub fn tell(&self, landscape: &Landscape<'_, AnyTerrain>, out: &mut dyn Output) -> Result<()> {
+    pub fn report(&self, landscape: &Landscape<'_, AnyTerrain>, out: &mut dyn Output) -> Result<()> {
         let params = &*self.parameters.value;
         match self.act(Some(landscape.terrain.kind()))?.run {
             Run::Export(export) => export(params, landscape, out),

@@ -28,6 +28,7 @@ mod mesh;
 mod npy;
 mod obj;
 mod picture;
+mod pixels;
 mod placement;
 mod ply;
 mod pnm;

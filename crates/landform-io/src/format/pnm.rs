@@ -7,7 +7,7 @@ use landform_core::grid::Shape;
 use landform_core::{Error, Result};
 
 use super::check_dimensions;
-use super::picture::Pixels;
+use super::pixels::Pixels;
 
 const NAME: &str = "PNM";
 

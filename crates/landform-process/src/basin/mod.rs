@@ -9,7 +9,7 @@ mod tests;
 mod threshold;
 
 pub use optimal::OptimalNetwork;
-pub use threshold::{Hollows, ThresholdErosion};
+pub use threshold::{Depressions, ThresholdErosion};
 
 use landform_core::terrain::HeightField;
 

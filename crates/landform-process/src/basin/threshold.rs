@@ -11,7 +11,7 @@
 //! from the outlets upwards in one pass becomes stable as well, but leaves parallel channels (β 0.26 on a slope).
 //!
 //! # Limits
-//! On rasters. With `hollows = "end"` rivers end in depressions, as in the thesis.
+//! On rasters. With `depressions = "end"` rivers end in depressions, as in the thesis.
 //!
 //! # Sources
 //! Rinaldo, Rodríguez-Iturbe, Rigon, Bras, Ijjász-Vásquez & Marani (1993); Pytel (2015), 2.3.2 and figure 4.25.
@@ -31,7 +31,7 @@ use crate::mechanism::water::highest_first;
 /// What water does in depressions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Hollows {
+pub enum Depressions {
     /// It fills them and flows on.
     #[default]
     Overflow,
@@ -57,12 +57,12 @@ pub struct ThresholdErosion {
     pub iterations: u64,
     /// Fraction of the nodes that a perturbation raises.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
-    pub shaken: Ratio,
+    pub perturbed: Ratio,
     /// Greatest height by which it raises them. Choose about the threshold, which is the drop of a node that drains only itself.
     #[schemars(extend("x-min" = 0.0))]
     pub perturbation: Length,
     /// What water does in depressions: "overflow" or "end".
-    pub hollows: Hollows,
+    pub depressions: Depressions,
     /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are used.
     pub outlets: Option<Outlets>,
 }
@@ -72,9 +72,9 @@ impl Default for ThresholdErosion {
         Self {
             threshold: Length::of(10.0),
             iterations: 25,
-            shaken: Ratio::of(0.1),
+            perturbed: Ratio::of(0.1),
             perturbation: Length::of(10.0),
-            hollows: Hollows::Overflow,
+            depressions: Depressions::Overflow,
             outlets: None,
         }
     }
@@ -82,7 +82,8 @@ impl Default for ThresholdErosion {
 
 impl Params for ThresholdErosion {
     const NAME: &'static str = "threshold_erosion";
-    const RENAMED: &'static [(&'static str, &'static str)] = &[("perturbations", "iterations")];
+    const RENAMED: &'static [(&'static str, &'static str)] =
+        &[("perturbations", "iterations"), ("shaken", "perturbed"), ("hollows", "depressions")];
     const SOURCES: &'static [Source] = &[Source {
         authors: "Rinaldo et al. (1993)",
         title: "Self-organized fractal river networks, Physical Review Letters 70(6)",
@@ -151,7 +152,7 @@ impl ThresholdErosion {
         let status = domain.status();
         let by = |i: usize| {
             let seed = at.seed.with(i as u64);
-            let hit = status[i] == Status::Interior && seed.uniform(0) < self.shaken.si();
+            let hit = status[i] == Status::Interior && seed.uniform(0) < self.perturbed.si();
             if hit { self.perturbation.si() * seed.uniform(1) } else { 0.0 }
         };
         terrain.change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += by(i)));
@@ -162,7 +163,7 @@ impl ThresholdErosion {
     fn route(&self, domain: &RasterDomain, z: &[f64], flow: &mut Flow) -> Vec<f64> {
         let mut amount = node_areas(domain);
         flow.route(domain, z, &mut amount);
-        if self.hollows == Hollows::End {
+        if self.depressions == Depressions::End {
             // Water stays in depressions: receivers as they are before flow is routed through lakes.
             amount = node_areas(domain);
             let (mut receiver, mut slot) = (vec![0; z.len()], vec![NO_SLOT; z.len()]);

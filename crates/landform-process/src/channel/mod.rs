@@ -69,7 +69,7 @@ pub struct State {
     water: Water,
     /// Water that comes to each node, m/s.
     rate: Vec<f64>,
-    /// Nodes that swallow water.
+    /// Sinkholes.
     sinks: Vec<bool>,
     softness: Resolved,
     /// The lowest elevation at the start, m.
@@ -120,9 +120,9 @@ impl Process<HeightField> for ChannelErosion {
                 "rain, a spring or an inflow somewhere inside",
             ));
         }
-        let sinks = match &self.swallow {
+        let sinks = match &self.sinks {
             Some(map) => {
-                let map = map.resolve("swallow", terrain, context)?;
+                let map = map.resolve("sinks", terrain, context)?;
                 parallel::map(rate.len(), |i| map.at(i) >= 0.5)
             }
             None => Vec::new(),

@@ -73,7 +73,7 @@ pub struct ChannelErosion {
     #[schemars(extend("x-min" = 0.0))]
     pub evaporation: Rate,
     /// Sinkholes, where a map is at least one half: they take all water that reaches them.
-    pub swallow: Option<Varying<RatioDimension>>,
+    pub sinks: Option<Varying<RatioDimension>>,
     /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are used.
     pub outlets: Option<Outlets>,
     /// Number of rounds of water and erosion.
@@ -143,7 +143,7 @@ impl Default for ChannelErosion {
             springs: Vec::new(),
             inflow: Vec::new(),
             evaporation: Rate::of(0.0),
-            swallow: None,
+            sinks: None,
             outlets: None,
             iterations: 150,
             avalanche_weight: 2.0,
@@ -199,6 +199,7 @@ impl ChannelErosion {
 
 impl Params for ChannelErosion {
     const NAME: &'static str = "channel_erosion";
+    const RENAMED: &'static [(&'static str, &'static str)] = &[("swallow", "sinks")];
     const SOURCES: &'static [Source] = &[
         Source {
             authors: "Pytel & Mann (2013)",
@@ -218,8 +219,8 @@ impl Params for ChannelErosion {
     ];
 
     fn check(&self) -> Result<()> {
-        if self.transport == Transport::AreaMap && (self.swallow.is_some() || self.evaporation.si() > 0.0) {
-            let value = if self.swallow.is_some() { "swallow" } else { "evaporation" };
+        if self.transport == Transport::AreaMap && (self.sinks.is_some() || self.evaporation.si() > 0.0) {
+            let value = if self.sinks.is_some() { "sinks" } else { "evaporation" };
             return Err(Error::parameter(
                 "transport",
                 format!("\"area_map\" with `{value}`"),

@@ -78,10 +78,10 @@ impl<T: NodeSurface> Process<T> for LinearDiffusion {
             *state = State { diffusivity: Resolved::Uniform(now), system: None };
         }
         let system = state.system.get_or_insert_with(|| System::new(&*terrain.domain(), &state.diffusivity));
-        let heights = system.places.heights(terrain.elevation()).into_owned();
-        let [rise, end] = system.rise(&heights, at.dt)?;
+        let heights = system.cells.heights(terrain.elevation()).into_owned();
+        let [change, end] = system.change(&heights, at.dt)?;
         let outflow = system.outflow(&heights, &end) * at.dt;
-        Ok(system.places.settle(terrain, &rise, outflow))
+        Ok(system.cells.apply(terrain, &change, outflow))
     }
 }
 

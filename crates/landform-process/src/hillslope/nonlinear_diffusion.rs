@@ -8,8 +8,8 @@
 //!
 //! # Method
 //! Backward Euler by Newton's iteration: fluxes over the four faces of a cell with the whole gradient there, their derivative by the
-//! slope across the face; each linear system as for linear creep ([`super::implicit`]), until no node moves by 0.1 mm. Volumes follow
-//! from the fluxes of the last round. **Cost** a few linear systems a step.
+//! slope normal to the face; each linear system as for linear creep ([`super::implicit`]), until no node moves by 0.1 mm. Volumes follow
+//! from the fluxes of the last iteration. **Cost** a few linear systems a step.
 //!
 //! # Limits
 //! Rasters whose sides do not wrap. All ground creeps alike, rock too. On layered ground the deposit is soil.
@@ -28,13 +28,13 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::implicit::{Places, Rows, resolve_diffusivity};
+use super::implicit::{Cells, Rows, resolve_diffusivity};
 
 /// Slope over the critical one beyond which the flux goes on along its tangent.
 const TANGENT: f64 = 0.97;
-const MOST_ROUNDS: usize = 80;
-/// Change in a round that ends them, m.
-const CLOSE: f64 = 1e-4;
+const MAX_ITERATIONS: usize = 80;
+/// Greatest change of an iteration that ends them, m.
+const TOLERANCE: f64 = 1e-4;
 
 /// Nonlinear creep: ground moves downhill the faster the nearer its slope comes to a critical one. Round crests, straight hillsides.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -94,12 +94,12 @@ impl Process<HeightField> for NonlinearDiffusion {
         let Some(shape) = domain.five_point() else {
             return Err(Error::parameter("edges", "sides that wrap", "open or closed sides for `nonlinear_diffusion`"));
         };
-        let places = Places::new(&*domain);
-        let start = places.heights(terrain.elevation()).into_owned();
+        let cells = Cells::new(&*domain);
+        let start = cells.heights(terrain.elevation()).into_owned();
         let status = domain.status();
         let flux = Fluxes { grid: &grid, status, diffusivity: &state.diffusivity, critical: self.critical_slope };
         let (mut z, area) = (start.clone(), grid.cell_area());
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..MAX_ITERATIONS {
             let faces = flux.faces(&z);
             let into = flux.inflow(&faces);
             let conductance = |i: usize, link: Link| match link.slot {
@@ -110,20 +110,20 @@ impl Process<HeightField> for NonlinearDiffusion {
                 _ => 0.0,
             };
             let inner = |i: usize| status[i] == Status::Interior;
-            let left =
+            let residual =
                 parallel::map(z.len(), |i| if inner(i) { into[i] - (z[i] - start[i]) * area / at.dt } else { 0.0 });
-            let change = Rows::new(&*domain, shape, conductance).change_by(&left, at.dt)?;
+            let change = Rows::new(&*domain, shape, conductance).change_by(&residual, at.dt)?;
             let moved = parallel::max(change.len(), |i| change[i].abs());
             parallel::update(&mut z, |i, z| *z += change[i]);
-            if moved < CLOSE {
+            if moved < TOLERANCE {
                 let into = flux.inflow(&flux.faces(&z));
-                let rise = parallel::map(z.len(), |i| if inner(i) { into[i] * at.dt / area } else { 0.0 });
+                let change = parallel::map(z.len(), |i| if inner(i) { into[i] * at.dt / area } else { 0.0 });
                 let held = |i: usize| status[i] == Status::BaseLevel;
                 let exported = parallel::sum(z.len(), |i| if held(i) { into[i] * at.dt } else { 0.0 });
-                return Ok(places.settle(terrain, &rise, exported));
+                return Ok(cells.apply(terrain, &change, exported));
             }
         }
-        Err(Error::NotConverged { what: "nonlinear diffusion".into(), iterations: MOST_ROUNDS, residual: f64::NAN })
+        Err(Error::NotConverged { what: "nonlinear diffusion".into(), iterations: MAX_ITERATIONS, residual: f64::NAN })
     }
 }
 
@@ -149,7 +149,7 @@ impl Fluxes<'_> {
         let shape = self.grid.shape;
         let there = |i: usize| self.status[i] != Status::Masked;
         // The slope along an axis at a node, one-sided beside a side or nodata.
-        let along = |i: usize, can: [bool; 2], step: usize, length: f64| {
+        let axis_slope = |i: usize, can: [bool; 2], step: usize, length: f64| {
             let before = if can[0] && there(i - step) { i - step } else { i };
             let after = if can[1] && there(i + step) { i + step } else { i };
             let cells = (usize::from(before != i) + usize::from(after != i)).max(1);
@@ -158,11 +158,11 @@ impl Fluxes<'_> {
         let [dx, dy] = self.grid.spacing;
         let x_slope = |i: usize| {
             let col = shape.cell(i).col;
-            along(i, [col > 0, col + 1 < shape.cols], 1, dx)
+            axis_slope(i, [col > 0, col + 1 < shape.cols], 1, dx)
         };
         let y_slope = |i: usize| {
             let row = shape.cell(i).row;
-            along(i, [row > 0, row + 1 < shape.rows], shape.cols, dy)
+            axis_slope(i, [row > 0, row + 1 < shape.rows], shape.cols, dy)
         };
         parallel::map(z.len(), |i| {
             let (mut faces, cell) = (Faces::default(), shape.cell(i));
@@ -170,30 +170,38 @@ impl Fluxes<'_> {
                 return faces;
             }
             if cell.col + 1 < shape.cols && there(i + 1) {
-                let across = 0.5 * (y_slope(i) + y_slope(i + 1));
-                self.face(&mut faces, 0, [i, i + 1], (z[i] - z[i + 1]) / dx, across, [dy, dx]);
+                let tangential = 0.5 * (y_slope(i) + y_slope(i + 1));
+                self.face(&mut faces, 0, [i, i + 1], (z[i] - z[i + 1]) / dx, tangential, [dy, dx]);
             }
             if cell.row + 1 < shape.rows && there(i + shape.cols) {
                 let to = i + shape.cols;
-                let across = 0.5 * (x_slope(i) + x_slope(to));
-                self.face(&mut faces, 1, [i, to], (z[i] - z[to]) / dy, across, [dx, dy]);
+                let tangential = 0.5 * (x_slope(i) + x_slope(to));
+                self.face(&mut faces, 1, [i, to], (z[i] - z[to]) / dy, tangential, [dx, dy]);
             }
             faces
         })
     }
 
-    /// The face between two nodes with the slope over it and along it; its width and the distance.
-    fn face(&self, faces: &mut Faces, k: usize, [a, b]: [usize; 2], over: f64, along: f64, [width, length]: [f64; 2]) {
+    /// The face between two nodes with the slope normal to it and tangential to it; its width and the distance.
+    fn face(
+        &self,
+        faces: &mut Faces,
+        k: usize,
+        [a, b]: [usize; 2],
+        normal: f64,
+        tangential: f64,
+        [width, length]: [f64; 2],
+    ) {
         let diffusivity = 0.5 * (self.diffusivity.at(a) + self.diffusivity.at(b));
-        let (n, t) = (over / self.critical, along / self.critical);
+        let (n, t) = (normal / self.critical, tangential / self.critical);
         let g = (n * n + t * t).sqrt();
         let plain = g.min(TANGENT);
-        let left = 1.0 - plain * plain;
-        let growth = (1.0 + plain * plain) / (left * left);
-        // The flux over g, and its growth with the slope over the face.
-        let factor = if g > TANGENT { (plain / left + growth * (g - plain)) / g } else { 1.0 / left };
+        let denominator = 1.0 - plain * plain;
+        let growth = (1.0 + plain * plain) / (denominator * denominator);
+        // The flux over g, and its growth with the slope normal to the face.
+        let factor = if g > TANGENT { (plain / denominator + growth * (g - plain)) / g } else { 1.0 / denominator };
         let share = if g > 0.0 { n * n / (g * g) } else { 1.0 };
-        faces.flux[k] = diffusivity * width * factor * over;
+        faces.flux[k] = diffusivity * width * factor * normal;
         faces.conductance[k] = diffusivity * width / length * (factor + (growth - factor) * share);
     }
 

@@ -48,7 +48,7 @@ pub use help::{Citation, Parameter, catalogue, cite, describe, parameters};
 pub use landform_core::stage::{Stage, Verb};
 pub use landform_core::terrain::AnyTerrain;
 pub use level::Level;
-pub use options::{Options, Progress, Signal, Tells};
+pub use options::{Options, Outputs, Progress, Signal};
 pub use parse::{Override, Recipe};
 pub use plan::{Plan, PlannedStage};
 pub use run::Ran;

@@ -58,7 +58,7 @@ pub struct Options<'a> {
     /// Asks the run to stop.
     pub cancel: CancelToken,
     /// Measures and files that the run makes beside the terrain.
-    pub tells: Tells,
+    pub outputs: Outputs,
     /// Receives the signals of the run.
     pub progress: &'a Progress<'a>,
 }
@@ -72,7 +72,7 @@ impl Default for Options<'_> {
             checkpoint_every: 60.0,
             salt: String::new(),
             cancel: CancelToken::default(),
-            tells: Tells::All,
+            outputs: Outputs::All,
             progress: &|_| {},
         }
     }
@@ -80,7 +80,7 @@ impl Default for Options<'_> {
 
 /// What a run measures and writes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tells {
+pub enum Outputs {
     /// All that the recipe says.
     #[default]
     All,
@@ -90,7 +90,7 @@ pub enum Tells {
     Nothing,
 }
 
-impl Tells {
+impl Outputs {
     pub(super) fn has(self, verb: Verb) -> bool {
         match self {
             Self::All => true,

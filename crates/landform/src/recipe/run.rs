@@ -14,7 +14,7 @@ use super::cache::Cache;
 use super::checkpoint::{Checkpoint, check_undamaged};
 use super::entry::{Entry, Work};
 use super::evolve::Evolving;
-use super::options::{Options, Signal, Tells};
+use super::options::{Options, Outputs, Signal};
 use super::watch::Watch;
 use super::{Plan, Recipe};
 
@@ -113,13 +113,13 @@ impl Runner<'_> {
             if let Some(slot) = known {
                 current = slot;
             } else if !entry.work.changes_terrain() {
-                if !self.options.tells.has(entry.work.verb()) {
+                if !self.options.outputs.has(entry.work.verb()) {
                     continue;
                 }
                 let terrain = self.terrain(&mut current).map_err(fail)?;
-                match self.tell(entry, &terrain, &current.history, out) {
+                match self.report(entry, &terrain, &current.history, out) {
                     // One measure that finds nothing to measure does not end a sweep.
-                    Err(e) if self.options.tells == Tells::Measures => {
+                    Err(e) if self.options.outputs == Outputs::Measures => {
                         self.note(format!("`{}`: {e}", entry.name));
                     }
                     told => told.map_err(fail)?,
@@ -149,7 +149,7 @@ impl Runner<'_> {
         Ok(Ran::ToTheEnd(terrain, current.history))
     }
 
-    /// Tells what readers of files noted.
+    /// Outputs what readers of files noted.
     fn tell_notes(&self) {
         self.recipe.file_notes().into_iter().for_each(|note| self.note(note));
     }
@@ -202,7 +202,7 @@ impl Runner<'_> {
 
     /// What is watched of a stage in this run.
     fn watch_of<'e>(&self, entry: &'e Entry) -> Option<&'e Watch> {
-        entry.work.watch().filter(|_| self.options.tells == Tells::All)
+        entry.work.watch().filter(|_| self.options.outputs == Outputs::All)
     }
 
     /// The part of a terrain that was asked for, without its margin.
@@ -280,13 +280,13 @@ impl Runner<'_> {
         Ok(Some(Slot { key: key.into(), terrain: Some(terrain), history }))
     }
 
-    fn tell(&self, entry: &Entry, terrain: &AnyTerrain, history: &[Event], out: &mut dyn Output) -> Result<()> {
+    fn report(&self, entry: &Entry, terrain: &AnyTerrain, history: &[Event], out: &mut dyn Output) -> Result<()> {
         let Work::Once(stage) = &entry.work else { return Ok(()) };
         let terrain = &*self.shown(terrain)?;
         let mut landscape = Landscape::plain(terrain);
         landscape.environment = &self.recipe.environment;
         (landscape.history, landscape.seed, landscape.title) = (history, self.recipe.seed, &self.recipe.title);
-        stage.tell(&landscape, out)
+        stage.report(&landscape, out)
     }
 }
 

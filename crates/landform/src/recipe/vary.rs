@@ -13,7 +13,7 @@ use landform_io::measure::{MeasureSummary, Measured};
 use landform_io::render::Picture;
 
 use super::watch::draw;
-use super::{Cache, Options, Override, Ran, Recipe, Tells};
+use super::{Cache, Options, Outputs, Override, Ran, Recipe};
 
 /// A key and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -201,7 +201,8 @@ impl Sweep {
 
 fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cache: &Cache, cancel: &CancelToken) -> Result<Row> {
     let started = Instant::now();
-    let options = Options { cache: Some(cache), cancel: cancel.clone(), tells: Tells::Measures, ..Options::default() };
+    let options =
+        Options { cache: Some(cache), cancel: cancel.clone(), outputs: Outputs::Measures, ..Options::default() };
     let mut told = MemoryOutput::default();
     let Ran::ToTheEnd(terrain, history) = recipe.run(&mut told, &options)? else {
         return Err(Error::Interrupted);

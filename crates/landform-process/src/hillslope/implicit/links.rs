@@ -53,8 +53,8 @@ impl Links {
         self.row(i).iter().map(|&(j, g)| g * (z[i] - z[j as usize])).sum()
     }
 
-    /// The rise of every node in one backward-Euler step, by conjugate gradients.
-    pub(super) fn rise(&self, z: &[f64], dt: f64) -> Result<Vec<f64>> {
+    /// The change of every node in one backward-Euler step, by conjugate gradients.
+    pub(super) fn change(&self, z: &[f64], dt: f64) -> Result<Vec<f64>> {
         let n = z.len();
         let inner = |i: usize| self.inner[i];
         let diagonal = parallel::map(n, |i| {
@@ -63,9 +63,9 @@ impl Links {
         let mut residual = parallel::map(n, |i| if inner(i) { -self.flux(z, i) } else { 0.0 });
         let norm = |v: &[f64]| parallel::sum(n, |i| v[i] * v[i] / diagonal[i]);
         let start = norm(&residual);
-        let mut rise = vec![0.0; n];
+        let mut change = vec![0.0; n];
         if start == 0.0 {
-            return Ok(rise);
+            return Ok(change);
         }
         let mut direction = parallel::map(n, |i| residual[i] / diagonal[i]);
         let (mut product, mut image) = (start, vec![0.0; n]);
@@ -74,11 +74,11 @@ impl Links {
                 if inner(i) { direction[i] * self.area[i] / dt + self.flux(&direction, i) } else { 0.0 }
             });
             let alpha = product / parallel::sum(n, |i| direction[i] * image[i]);
-            parallel::update(&mut rise, |i, v| *v += alpha * direction[i]);
+            parallel::update(&mut change, |i, v| *v += alpha * direction[i]);
             parallel::update(&mut residual, |i, v| *v -= alpha * image[i]);
             let next = norm(&residual);
             if next <= TOLERANCE * TOLERANCE * start {
-                return Ok(rise);
+                return Ok(change);
             }
             let beta = next / product;
             product = next;

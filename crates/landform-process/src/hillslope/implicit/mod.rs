@@ -25,13 +25,13 @@ const TOLERANCE: f64 = 1e-12;
 pub(super) struct System {
     solver: Solver,
     /// Inner nodes, base levels beside them, and the conductance between them, m²/s.
-    exits: Vec<(u32, u32, f64)>,
-    pub(super) places: Places,
+    base_level_links: Vec<(u32, u32, f64)>,
+    pub(super) cells: Cells,
 }
 
 /// Where creep acts: nodes, or the centres of the cells that they stand off.
 #[derive(Clone, Debug)]
-pub(super) struct Places {
+pub(super) struct Cells {
     centres: Option<Centres>,
     area: Vec<f64>,
 }
@@ -48,27 +48,27 @@ impl System {
             Solver::Rows(Box::new(Rows::new(domain, shape, |i, link| between(domain, diffusivity, i, link))))
         });
         let status = domain.status();
-        let mut exits = Vec::new();
+        let mut base_level_links = Vec::new();
         for i in (0..domain.len()).filter(|&i| status[i] == Status::Interior) {
             for link in domain.neighbours(i).filter(|l| status[l.to] == Status::BaseLevel) {
                 let g = between(domain, diffusivity, i, link);
                 if g > 0.0 {
-                    exits.push((i as u32, link.to as u32, g));
+                    base_level_links.push((i as u32, link.to as u32, g));
                 }
             }
         }
         Self {
             solver: rows.unwrap_or_else(|| Solver::Links(Links::new(domain, diffusivity))),
-            exits,
-            places: Places::new(domain),
+            base_level_links,
+            cells: Cells::new(domain),
         }
     }
 
-    /// The rise of every node in one backward-Euler step, and the one that fluxes at its end belong to.
-    pub(super) fn rise(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
-        let by_links = |links: &Links| links.rise(z, dt).map(|rise| [rise.clone(), rise]);
+    /// The change of every node in one backward-Euler step, and the one that fluxes at its end belong to.
+    pub(super) fn change(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
+        let by_links = |links: &Links| links.change(z, dt).map(|change| [change.clone(), change]);
         match &mut self.solver {
-            Solver::Rows(rows) => match rows.rise(z, dt) {
+            Solver::Rows(rows) => match rows.change(z, dt) {
                 Err(Error::NotConverged { .. }) => by_links(&rows.links()),
                 found => found,
             },
@@ -76,17 +76,17 @@ impl System {
         }
     }
 
-    /// Volume flux from inner nodes to base levels after a rise, m³/s.
-    pub(super) fn outflow(&self, z: &[f64], rise: &[f64]) -> f64 {
-        let after = |i: u32| z[i as usize] + rise[i as usize];
-        parallel::sum(self.exits.len(), |k| {
-            let (i, base, g) = self.exits[k];
+    /// Volume flux from inner nodes to base levels after a change, m³/s.
+    pub(super) fn outflow(&self, z: &[f64], change: &[f64]) -> f64 {
+        let after = |i: u32| z[i as usize] + change[i as usize];
+        parallel::sum(self.base_level_links.len(), |k| {
+            let (i, base, g) = self.base_level_links[k];
             g * (after(i) - after(base))
         })
     }
 }
 
-impl Places {
+impl Cells {
     pub(super) fn new<D: Domain>(domain: &D) -> Self {
         Self { centres: domain.centres(), area: (0..domain.len()).map(|i| domain.area(i)).collect() }
     }
@@ -96,21 +96,21 @@ impl Places {
         self.centres.as_ref().map_or(Cow::Borrowed(z), |centres| Cow::Owned(centres.values(z)))
     }
 
-    /// Moves the ground by a rise over heights, while so much flows to base levels; returns the volumes moved.
-    pub(super) fn settle<T: NodeSurface>(&self, terrain: &mut T, rise: &[f64], outflow: f64) -> Change {
-        let (mut rise, mut exported) = (Cow::Borrowed(rise), outflow);
+    /// Moves the ground by a change over heights, while so much flows to base levels; returns the volumes moved.
+    pub(super) fn apply<T: NodeSurface>(&self, terrain: &mut T, change: &[f64], outflow: f64) -> Change {
+        let (mut change, mut exported) = (Cow::Borrowed(change), outflow);
         if let Some(centres) = &self.centres {
             let domain = terrain.domain();
             let status = domain.status();
-            let mut spread = centres.spread(&rise);
+            let mut spread = centres.spread(&change);
             let held = |i: usize| status[i] != Status::Interior;
             // What comes to rest on a base level leaves.
             exported += parallel::sum(spread.len(), |i| if held(i) { spread[i] * self.area[i] } else { 0.0 });
-            parallel::update(&mut spread, |i, rise| *rise = if held(i) { 0.0 } else { *rise });
-            rise = Cow::Owned(spread);
+            parallel::update(&mut spread, |i, change| *change = if held(i) { 0.0 } else { *change });
+            change = Cow::Owned(spread);
         }
-        terrain.change(Layer::Surface("soil"), |z| parallel::update(z, |i, v| *v += rise[i]));
-        let volume = |up: f64| parallel::sum(rise.len(), |i| (up * rise[i]).max(0.0) * self.area[i]);
+        terrain.change(Layer::Surface("soil"), |z| parallel::update(z, |i, v| *v += change[i]));
+        let volume = |up: f64| parallel::sum(change.len(), |i| (up * change[i]).max(0.0) * self.area[i]);
         Change { eroded: volume(-1.0), deposited: volume(1.0), exported, ..Change::default() }
     }
 }
@@ -159,15 +159,15 @@ mod tests {
         for dt in [KYR, 300.0 * KYR, 1e5 * KYR] {
             let shape = domain.five_point().unwrap();
             let [rows, end] =
-                Rows::new(&*domain, shape, |i, link| between(&*domain, &varied, i, link)).rise(&z, dt).unwrap();
-            let links = Links::new(&*domain, &varied).rise(&z, dt).unwrap();
+                Rows::new(&*domain, shape, |i, link| between(&*domain, &varied, i, link)).change(&z, dt).unwrap();
+            let links = Links::new(&*domain, &varied).change(&z, dt).unwrap();
             let other = Rows::new(&*domain, shape, |i, link| between(&*domain, &varied, i, link)).links();
-            assert_eq!(other.rise(&z, dt).unwrap(), links);
+            assert_eq!(other.change(&z, dt).unwrap(), links);
             // Fluxes hold the error of the heights times D dt over the area of a cell.
             let times = (dt / KYR).sqrt();
             for i in (0..z.len()).filter(|&i| i != 400) {
-                let (rise, end) = ((rows[i] - links[i]).abs(), (end[i] - links[i]).abs());
-                assert!(rise < 1e-7 * times && end < 1e-9 * times, "{dt} {i}: {rise:e} {end:e}");
+                let (change, end) = ((rows[i] - links[i]).abs(), (end[i] - links[i]).abs());
+                assert!(change < 1e-7 * times && end < 1e-9 * times, "{dt} {i}: {change:e} {end:e}");
             }
         }
     }

@@ -36,7 +36,7 @@ pub(in super::super) struct Rows {
     area: f64,
     /// The change, and what drives it.
     change: [Vec<f64>; 2],
-    drive: [Vec<f64>; 2],
+    rhs: [Vec<f64>; 2],
     /// One over the diagonal; 0 at nodes that do not change.
     inverse: [Vec<f64>; 2],
 }
@@ -47,8 +47,8 @@ impl Rows {
         let width = shape.cols.div_ceil(2) + 2;
         let empty = || [0, 1].map(|_| vec![0.0; width * (shape.rows + 2)]);
         let area = domain.area(0);
-        let [east, south, sum, change, drive, inverse] = std::array::from_fn(|_| empty());
-        let mut rows = Self { shape, width, east, south, sum, area, change, drive, inverse };
+        let [east, south, sum, change, rhs, inverse] = std::array::from_fn(|_| empty());
+        let mut rows = Self { shape, width, east, south, sum, area, change, rhs, inverse };
         let status = domain.status();
         for i in 0..domain.len() {
             let (colour, at) = rows.place(i);
@@ -99,14 +99,14 @@ impl Rows {
     }
 
     /// The change of heights `z` in a backward-Euler step of `dt` s by the fluxes at its end, and as it was solved for.
-    pub(super) fn rise(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
+    pub(super) fn change(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
         let packed = self.pack(z);
         for colour in 0..2 {
-            let mut drive = std::mem::take(&mut self.drive[colour]);
-            self.flux_into(colour, &packed, &mut drive);
-            self.drive[colour] = drive;
+            let mut rhs = std::mem::take(&mut self.rhs[colour]);
+            self.flux_into(colour, &packed, &mut rhs);
+            self.rhs[colour] = rhs;
         }
-        self.respond(dt)?;
+        self.solve_step(dt)?;
         let after = [0, 1].map(|c: usize| {
             let (a, b) = (&packed[c], &self.change[c]);
             parallel::map(a.len(), |i| a[i] + b[i])
@@ -117,9 +117,9 @@ impl Rows {
     }
 
     /// The change of every node in `dt` s that a volume flux into it (m³/s) calls for, what then flows over links included.
-    pub(in super::super) fn change_by(&mut self, drive: &[f64], dt: f64) -> Result<Vec<f64>> {
-        self.drive = self.pack(drive);
-        self.respond(dt)?;
+    pub(in super::super) fn change_by(&mut self, rhs: &[f64], dt: f64) -> Result<Vec<f64>> {
+        self.rhs = self.pack(rhs);
+        self.solve_step(dt)?;
         Ok(self.unpack(&self.change, 1.0))
     }
 
@@ -148,17 +148,17 @@ impl Rows {
     }
 
     /// Finds the change for what drives it.
-    fn respond(&mut self, dt: f64) -> Result<()> {
+    fn solve_step(&mut self, dt: f64) -> Result<()> {
         let diagonal = self.area / dt;
-        let (mut radius, mut driven) = (0.0_f64, 0.0_f64);
+        let (mut radius, mut greatest_rhs) = (0.0_f64, 0.0_f64);
         for colour in 0..2 {
             self.change[colour].fill(0.0);
-            let (sum, drive) = (&self.sum[colour], &self.drive[colour]);
+            let (sum, rhs) = (&self.sum[colour], &self.rhs[colour]);
             parallel::fill(&mut self.inverse[colour], |i| if sum[i] >= 0.0 { 1.0 / (diagonal + sum[i]) } else { 0.0 });
             radius = radius.max(parallel::max(sum.len(), |i| sum[i].max(0.0) / (diagonal + sum[i].max(0.0))));
-            driven = driven.max(parallel::max(drive.len(), |i| drive[i].abs()));
+            greatest_rhs = greatest_rhs.max(parallel::max(rhs.len(), |i| rhs[i].abs()));
         }
-        if driven > 0.0 { self.solve(radius * radius) } else { Ok(()) }
+        if greatest_rhs > 0.0 { self.solve(radius * radius) } else { Ok(()) }
     }
 
     /// Volume flux into every node of a colour that changes, m³/s.
@@ -220,7 +220,7 @@ impl Rows {
     fn sweep(&mut self, colour: usize, factor: f64) -> [f64; 2] {
         let width = self.width;
         let mut own = std::mem::take(&mut self.change[colour]);
-        let (other, drive, inverse) = (&self.change[1 - colour], &self.drive[colour], &self.inverse[colour]);
+        let (other, rhs, inverse) = (&self.change[1 - colour], &self.rhs[colour], &self.inverse[colour]);
         let found = parallel::map_pieces_mut([&mut own], width * BAND, |first, [band]| {
             let mut most = [0.0_f64; 2];
             for (k, row) in band.chunks_mut(width).enumerate() {
@@ -230,8 +230,8 @@ impl Rows {
                 }
                 let start = at * width + 1;
                 let around = self.around(colour, at, other);
-                let (drive, inverse) = (&drive[start..start + width - 2], &inverse[start..start + width - 2]);
-                let [step, greatest] = relax(&mut row[1..width - 1], &around, drive, inverse, factor);
+                let (rhs, inverse) = (&rhs[start..start + width - 2], &inverse[start..start + width - 2]);
+                let [step, greatest] = relax(&mut row[1..width - 1], &around, rhs, inverse, factor);
                 most = [most[0].max(step), most[1].max(greatest)];
             }
             most
@@ -256,15 +256,15 @@ impl Around<'_> {
     }
 }
 
-fn relax(own: &mut [f64], around: &Around, drive: &[f64], inverse: &[f64], factor: f64) -> [f64; 2] {
+fn relax(own: &mut [f64], around: &Around, rhs: &[f64], inverse: &[f64], factor: f64) -> [f64; 2] {
     let n = own.len();
     let [e, w, s, no] = around.links.map(|v| &v[..n]);
     let [ve, vw, vs, vn] = around.values.map(|v| &v[..n]);
-    let (drive, inverse) = (&drive[..n], &inverse[..n]);
+    let (rhs, inverse) = (&rhs[..n], &inverse[..n]);
     let (mut step, mut greatest) = ([0.0_f64; 4], [0.0_f64; 4]);
     for k in 0..n {
         let sums = (e[k] * ve[k] + w[k] * vw[k]) + (s[k] * vs[k] + no[k] * vn[k]);
-        let by = factor * ((sums + drive[k]) * inverse[k] - own[k]);
+        let by = factor * ((sums + rhs[k]) * inverse[k] - own[k]);
         own[k] += by;
         // Four at a time; the greatest does not depend on the order.
         step[k & 3] = if by.abs() > step[k & 3] { by.abs() } else { step[k & 3] };
