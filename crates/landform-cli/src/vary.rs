@@ -10,7 +10,7 @@ use landform::io::export::{ViewKind, WritePicture};
 use landform::io::files::write_whole;
 use landform::io::format::encode_png;
 use landform::io::memory;
-use landform::recipe::{Over, Recipe, Sweep, contact_sheet};
+use landform::recipe::{Axis, Recipe, Sweep, contact_sheet};
 
 use crate::how::How;
 use crate::show_error::{Failure, about};
@@ -48,7 +48,7 @@ pub(crate) struct Args {
 const MOST_PIXELS: usize = 400_000_000;
 
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
-    let over = args.over.iter().map(|o| Over::parse(o)).collect::<Result<Vec<_>>>()?;
+    let over = args.over.iter().map(|o| Axis::parse(o)).collect::<Result<Vec<_>>>()?;
     let load = |overrides: &[landform::recipe::Override]| Recipe::load(&args.recipe, overrides);
     let own = load(&[]).map_err(about(&args.recipe))?.seed;
     let first = args.seed.unwrap_or(own);

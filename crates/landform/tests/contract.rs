@@ -13,7 +13,7 @@ use landform::core::terrain::{HeightField, Kind, Layer, Mesh, NodeSurface, Repre
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
 use landform::recipe::{
-    AnyTerrain, Cache, Options, Outputs, Over, Override, Ran, Recipe, Signal, Stage, Sweep, Verb, contact_sheet,
+    AnyTerrain, Axis, Cache, Options, Outputs, Override, Ran, Recipe, Signal, Stage, Sweep, Verb, contact_sheet,
     parameters, schema, stages,
 };
 
@@ -347,8 +347,8 @@ fn a_sweep_runs_every_combination_and_its_rows_do_not_depend_on_threads() {
         keep: true,
         seeds: vec![4, 5],
         over: vec![
-            Over::parse("uplift.rate=0.2 mm/yr,0.4 mm/yr").unwrap(),
-            Over::parse("stream_power.deposition=0;1").unwrap(),
+            Axis::parse("uplift.rate=0.2 mm/yr,0.4 mm/yr").unwrap(),
+            Axis::parse("stream_power.deposition=0;1").unwrap(),
         ],
     };
     let text = WATCHED.lines().filter(|l| !l.starts_with("watch")).collect::<Vec<_>>().join("\n");
@@ -370,9 +370,9 @@ fn a_sweep_runs_every_combination_and_its_rows_do_not_depend_on_threads() {
     assert!(lines[1].starts_with("4,0.2 mm/yr,0,") && lines[8].starts_with("5,0.4 mm/yr,1,"));
     assert!(one.1.shape.rows > 3 * 13 && one.1.shape.cols > 3 * 24);
     assert!(
-        Over::parse("uplift.rate").is_err() && Over::parse("a.b=1,,2").is_err() && Over::parse("seed=1,2").is_err()
+        Axis::parse("uplift.rate").is_err() && Axis::parse("a.b=1,,2").is_err() && Axis::parse("seed=1,2").is_err()
     );
-    let nested = Over::parse("a.b={ formula = \"max(u, 1)\", unit = \"m\" },[1, 2]").unwrap();
+    let nested = Axis::parse("a.b={ formula = \"max(u, 1)\", unit = \"m\" },[1, 2]").unwrap();
     assert_eq!(nested.values.len(), 2, "{nested:?}");
     let twice = Sweep { over: vec![nested.clone(), nested], ..Sweep::default() };
     assert!(twice.runs(1).unwrap_err().to_string().contains("twice"));

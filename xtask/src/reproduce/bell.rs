@@ -9,7 +9,7 @@ use landform::core::{Error, Result};
 use landform::io::export::{ViewKind, WritePicture};
 use landform::io::files::write_whole;
 use landform::io::format::encode_png;
-use landform::recipe::{GALLERY, GalleryRecipe, Options, Over, Override, Recipe, Row, Sweep, contact_sheet};
+use landform::recipe::{Axis, GALLERY, GalleryRecipe, Options, Override, Recipe, Row, Sweep, contact_sheet};
 
 /// Exponent m and highest point (m): table A.1.
 const TABLE_M: &[(f64, f64)] = &[
@@ -98,7 +98,7 @@ fn recipe(root: &Path, name: &str, overrides: &[Override]) -> Result<Recipe> {
 }
 
 fn sweep(root: &Path, name: &str, seeds: u64, over: &[(&str, Vec<String>)], fixed: &[String]) -> Result<Vec<Row>> {
-    let over = over.iter().map(|(key, values)| Over { key: (*key).into(), values: values.clone() }).collect();
+    let over = over.iter().map(|(key, values)| Axis { key: (*key).into(), values: values.clone() }).collect();
     let sweep = Sweep { seeds: (1..=seeds).collect(), over, keep: true };
     let fixed = fixed.iter().map(|f| Override::parse(f)).collect::<Result<Vec<_>>>()?;
     let load = |own: &[Override]| recipe(root, name, &[&fixed[..], own].concat());

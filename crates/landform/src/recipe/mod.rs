@@ -54,5 +54,5 @@ pub use plan::{Plan, PlannedStage};
 pub use run::Ran;
 pub use schema::schema;
 pub use stages::stages;
-pub use vary::{Over, Row, Sweep, contact_sheet};
+pub use vary::{Axis, Row, Sweep, contact_sheet};
 pub use watch::Watch;

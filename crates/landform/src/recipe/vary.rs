@@ -17,14 +17,14 @@ use super::{Cache, Options, Outputs, Override, Ran, Recipe};
 
 /// A key and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Over {
+pub struct Axis {
     /// `STAGE.key`.
     pub key: String,
     /// Values as typed.
     pub values: Vec<String>,
 }
 
-impl Over {
+impl Axis {
     /// Reads `STAGE.key=a,b,c`; semicolons part the values where they hold commas themselves.
     ///
     /// # Errors
@@ -70,7 +70,7 @@ pub struct Sweep {
     /// Seeds; the recipe's own if there are none.
     pub seeds: Vec<u64>,
     /// Keys and values; the last one changes fastest.
-    pub over: Vec<Over>,
+    pub over: Vec<Axis>,
     /// Whether rows keep their landscapes.
     pub keep: bool,
 }

@@ -133,7 +133,7 @@ impl Flow {
     ) {
         self.resize(domain.len());
         write_receivers(domain, &mut self.receiver, &mut self.slot, find);
-        self.leave_flats_and_pits(domain, elevation);
+        self.drain_flats_and_pits(domain, elevation);
         let cuts = strips::cut(domain.len(), self.wanted);
         self.strips = order::order_and_accumulate(&self.receiver, cuts, &mut self.marks, &mut self.order, amount);
     }
@@ -149,25 +149,25 @@ impl Flow {
     fn descend<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
         self.resize(domain.len());
         self.steepest(domain, elevation);
-        self.leave_flats_and_pits(domain, elevation);
+        self.drain_flats_and_pits(domain, elevation);
     }
 
     /// Leads water over level ground and out of pits; all other nodes have their receivers.
-    fn leave_flats_and_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
+    fn drain_flats_and_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64]) {
         let mut pits = pits::without_receiver(domain, &self.slot);
         let mut flats = std::mem::take(&mut self.flats);
         if flats.tilt(domain, elevation, &pits, &self.slot) {
             self.steepest_around(domain, &flats);
             pits = pits::without_receiver(domain, &self.slot);
-            self.leave_pits(domain, &flats.tilted, pits);
+            self.drain_pits(domain, &flats.tilted, pits);
         } else {
-            self.leave_pits(domain, elevation, pits);
+            self.drain_pits(domain, elevation, pits);
         }
         self.flats = flats;
     }
 
     /// Finds a way out of every pit: over its lowest neighbour, or over passes from basin to basin.
-    fn leave_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64], mut pits: Vec<usize>) {
+    fn drain_pits<D: Domain>(&mut self, domain: &D, elevation: &[f64], mut pits: Vec<usize>) {
         let cuts = strips::cut(domain.len(), self.wanted);
         self.lakes = pits::open_pits(domain, elevation, &cuts, &mut pits, &mut self.receiver, &mut self.slot);
         if pits.is_empty() {
