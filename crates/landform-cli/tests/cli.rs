@@ -113,6 +113,28 @@ fn the_catalogue_the_schema_and_the_sources_are_printed() {
 }
 
 #[test]
+fn a_recipe_runs_at_a_coarser_level_and_in_a_window() {
+    let dir = tempfile::tempdir().unwrap();
+    let recipe = "[[stage]]\nuse = \"noise\"\ngrid = { size = [\"4 km\", \"4 km\"], cell_size = \"100 m\" }\n\
+                  [[stage]]\nuse = \"write_raster\"\npath = \"a.asc\"\n";
+    std::fs::write(dir.path().join("r.toml"), recipe).unwrap();
+    let sizes = |out: &str, args: &[&str]| {
+        let done = landform(dir.path(), &[&["run", "r.toml", "-o", out], args].concat());
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        let written = std::fs::read_to_string(dir.path().join(out).join("a.asc")).unwrap().to_lowercase();
+        let value =
+            |key: &str| written.lines().find_map(|l| l.strip_prefix(key)).unwrap().trim().parse::<usize>().unwrap();
+        [value("ncols"), value("nrows")]
+    };
+    assert_eq!(sizes("whole", &[]), [41, 41]);
+    assert_eq!(sizes("coarse", &["--level", "1/4"]), [11, 11]);
+    let [cols, rows] = sizes("window", &["--region", "1km,1km,2km,3km"]);
+    assert!(cols < rows && rows < 41, "{cols} x {rows}");
+    let wrong = landform(dir.path(), &["run", "r.toml", "-o", "w", "--level", "1/3"]);
+    assert!(!wrong.status.success() && text(&wrong.stderr).contains("1/"));
+}
+
+#[test]
 fn rasters_are_converted_and_drawn() {
     let dir = tempfile::tempdir().unwrap();
     let ascii = "ncols 3\nnrows 3\nxllcenter 0\nyllcenter 0\ncellsize 10\n1 2 3\n4 9 6\n7 8 9\n";

@@ -14,6 +14,7 @@ pub mod snow;
 pub mod stream_power;
 pub mod streams;
 pub mod uplift;
+pub mod volume;
 
 /// The rows of all phenomena.
 pub static STAGES: &[&[landform_core::stage::Stage]] = &[
@@ -28,4 +29,5 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     snow::STAGES,
     streams::STAGES,
     basin::STAGES,
+    volume::STAGES,
 ];

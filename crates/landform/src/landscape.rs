@@ -6,7 +6,9 @@ use std::sync::Arc;
 use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop};
 use landform_core::stage::{ReadStage, Verb};
-use landform_core::terrain::{AnyTerrain, HeightField, NodeSurface, Representation, Surface, Visit};
+use landform_core::terrain::{
+    AnyTerrain, Body, HeightField, NodeSurface, Representation, Surface, Visit, not_a_surface,
+};
 use landform_core::verb::{Context, Environment, Event, MemoryOutput, Outcome, Params, Stopped};
 use landform_core::{Error, Result};
 use landform_io::files::write_whole;
@@ -248,12 +250,16 @@ struct Running<'a> {
 impl Visit for Running<'_> {
     type Out = Result<(AnyTerrain, Outcome)>;
 
-    fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
+    fn surface<T: Surface>(self, terrain: &T) -> Self::Out {
         let seed = Seed(self.land.seed).named(&format!("evolve#{}", self.land.history.len()));
         let model = model_of(terrain, self.parts, seed)?;
         let model = model.dt(self.dt).maps(self.maps).environment(self.land.environment.clone());
         let mut run = Simulation::of(model).until(self.stop);
         let outcome = run.run()?;
         Ok((run.into_terrain().at_centres().into_owned().wrap(), outcome))
+    }
+
+    fn body<T: Body>(self, _: &T) -> Self::Out {
+        Err(not_a_surface::<T>("a process on a clock"))
     }
 }

@@ -9,7 +9,7 @@ use landform::core::grid::{Domain, Status};
 use landform::core::parallel::with_threads;
 use landform::core::random::Seed;
 use landform::core::sim::Model;
-use landform::core::terrain::{HeightField, Kind, Layer, Mesh, NodeSurface, Representation, Surface, Terrain};
+use landform::core::terrain::{Body, HeightField, Kind, Layer, Mesh, NodeSurface, Representation, Surface, Terrain};
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
 use landform::recipe::{
@@ -21,6 +21,10 @@ fn start(kind: Kind) -> &'static str {
     match kind {
         Kind::Mesh => {
             "[[stage]]\nuse = \"stream_graph\"\nsize = [\"8 km\", \"8 km\"]\nnodes = 400\nroughness = \"80 m\"\n"
+        }
+        Kind::VoxelGrid => {
+            "[[stage]]\nuse = \"noise\"\nsize = [\"4 km\", \"3 km\"]\ncell_size = \"200 m\"\namplitude = \"150 m\"\n\
+             [[stage]]\nuse = \"to_voxels\"\nvoxel_height = \"20 m\"\n"
         }
         _ => "[[stage]]\nuse = \"noise\"\nsize = [\"4 km\", \"3 km\"]\ncell_size = \"200 m\"\namplitude = \"150 m\"\n",
     }
@@ -144,8 +148,11 @@ fn fields(terrain: &AnyTerrain) -> (Vec<f64>, Vec<String>) {
     struct Values;
     impl landform::core::terrain::Visit for Values {
         type Out = (Vec<f64>, Vec<String>);
-        fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
+        fn surface<T: Surface>(self, terrain: &T) -> Self::Out {
             of(terrain)
+        }
+        fn body<T: Body>(self, _: &T) -> Self::Out {
+            (Vec::new(), Vec::new())
         }
     }
     terrain.visit(Values)

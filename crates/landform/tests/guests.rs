@@ -89,6 +89,10 @@ impl Terrain for Valley {
     const KIND: Kind = Kind::Mesh;
     const BYTES_A_NODE: u64 = 40;
 
+    fn nodes(&self) -> usize {
+        self.elevation.len()
+    }
+
     fn volume(&self) -> f64 {
         self.elevation.iter().sum::<f64>() * STEP * STEP
     }

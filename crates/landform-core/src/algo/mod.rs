@@ -11,5 +11,6 @@ pub mod network;
 pub mod noise;
 pub mod outlets;
 pub mod outline;
+pub mod polygonise;
 pub mod sampling;
 pub mod thin_plate;

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Ground, HeightField, Kind, Mesh, NodeSurface, Refine, Terrain, height_field_from_mesh};
+use super::{
+    Erodible, Ground, HeightField, Kind, Mesh, NodeSurface, Refine, Terrain, VoxelGrid, height_field_from_mesh,
+};
 use crate::random::Seed;
 use crate::{Error, Result};
 
@@ -55,6 +57,11 @@ pub trait Surface: Rasterize + Ground + Refine + Representation {}
 
 impl<T: Rasterize + Ground + Refine + Representation> Surface for T {}
 
+/// What every body of ground that recipes pass on can do, whether or not it has one elevation a node.
+pub trait Body: Erodible + Representation {}
+
+impl<T: Erodible + Representation> Body for T {}
+
 /// A representation that [`AnyTerrain`] can hold.
 pub trait Representation: Terrain {
     /// Puts it in.
@@ -69,45 +76,46 @@ pub trait Representation: Terrain {
 pub trait Visit {
     /// Result.
     type Out;
-    /// Does it.
-    fn visit<T: Surface>(self, terrain: &T) -> Self::Out;
+    /// Does it on a surface.
+    fn surface<T: Surface>(self, terrain: &T) -> Self::Out;
+    /// Does it on a body that has no single elevation a node.
+    fn body<T: Body>(self, terrain: &T) -> Self::Out;
+}
+
+/// That `what` needs a surface with one elevation a node, and a terrain is none.
+pub fn not_a_surface<T: Terrain>(what: &str) -> Error {
+    Error::Unsupported {
+        what: what.into(),
+        on: T::KIND.to_string(),
+        supports: "a height field or a mesh; `uppermost_surface` makes a height field of voxels".into(),
+    }
 }
 
 /// The list of representations: everything that differs by kind is made from it.
 macro_rules! representations {
-    ($($(#[$doc:meta])* $type:ident),*) => {
+    (surfaces: $($(#[$doc:meta])* $type:ident),*; bodies: $($(#[$body_doc:meta])* $body:ident),*) => {
         /// A terrain of any representation.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         #[non_exhaustive]
         pub enum AnyTerrain {
-            $($(#[$doc])* $type($type)),*
+            $($(#[$doc])* $type($type),)*
+            $($(#[$body_doc])* $body($body)),*
         }
 
-        $(impl Representation for $type {
-            fn wrap(self) -> AnyTerrain {
-                AnyTerrain::$type(self)
-            }
-            fn of(any: &AnyTerrain) -> Option<&Self> {
-                #[allow(irrefutable_let_patterns, reason = "for a list of one")]
-                if let AnyTerrain::$type(t) = any { Some(t) } else { None }
-            }
-            fn of_mut(any: &mut AnyTerrain) -> Option<&mut Self> {
-                #[allow(irrefutable_let_patterns, reason = "for a list of one")]
-                if let AnyTerrain::$type(t) = any { Some(t) } else { None }
-            }
-        })*
+        representations!(@each $($type),*, $($body),*);
 
         impl AnyTerrain {
             /// Shows the terrain to a visitor: the only `match` on representations.
             pub fn visit<V: Visit>(&self, visitor: V) -> V::Out {
                 match self {
-                    $(Self::$type(t) => visitor.visit(t)),*
+                    $(Self::$type(t) => visitor.surface(t),)*
+                    $(Self::$body(t) => visitor.body(t)),*
                 }
             }
         }
 
         impl AnyTerrain {
-            /// Elevation per node, m; NaN on nodata.
+            /// Elevation per node, m; NaN on nodata. Empty for bodies without a single elevation a node.
             pub fn elevation(&self) -> &[f64] {
                 // A visitor cannot hand out what it borrows.
                 None$(.or_else(|| <$type>::of(self).map(NodeSurface::elevation)))*.unwrap_or(&[])
@@ -116,16 +124,33 @@ macro_rules! representations {
 
         /// Bytes a node while processes run on a kind of terrain, measured.
         pub fn bytes_a_node(kind: Kind) -> u64 {
-            [$(($type::KIND, $type::BYTES_A_NODE)),*].iter().find(|k| k.0 == kind).map_or(0, |k| k.1)
+            [$(($type::KIND, $type::BYTES_A_NODE),)* $(($body::KIND, $body::BYTES_A_NODE)),*].iter().find(|k| k.0 == kind).map_or(0, |k| k.1)
         }
+    };
+    (@each $($type:ident),*) => {
+        $(impl Representation for $type {
+            fn wrap(self) -> AnyTerrain {
+                AnyTerrain::$type(self)
+            }
+            fn of(any: &AnyTerrain) -> Option<&Self> {
+                if let AnyTerrain::$type(t) = any { Some(t) } else { None }
+            }
+            fn of_mut(any: &mut AnyTerrain) -> Option<&mut Self> {
+                if let AnyTerrain::$type(t) = any { Some(t) } else { None }
+            }
+        })*
     };
 }
 
 representations! {
+    surfaces:
     /// A raster.
     HeightField,
     /// An irregular mesh.
-    Mesh
+    Mesh;
+    bodies:
+    /// Voxels.
+    VoxelGrid
 }
 
 impl AnyTerrain {
@@ -134,7 +159,10 @@ impl AnyTerrain {
         struct KindOf;
         impl Visit for KindOf {
             type Out = Kind;
-            fn visit<T: Surface>(self, _: &T) -> Kind {
+            fn surface<T: Surface>(self, _: &T) -> Kind {
+                T::KIND
+            }
+            fn body<T: Body>(self, _: &T) -> Kind {
                 T::KIND
             }
         }
@@ -167,10 +195,28 @@ impl AnyTerrain {
         struct Names;
         impl Visit for Names {
             type Out = Vec<String>;
-            fn visit<T: Surface>(self, terrain: &T) -> Vec<String> {
+            fn surface<T: Surface>(self, terrain: &T) -> Vec<String> {
                 terrain.names()
+            }
+            fn body<T: Body>(self, _: &T) -> Vec<String> {
+                Vec::new()
             }
         }
         self.visit(Names)
+    }
+
+    /// How many nodes or voxels it has.
+    pub fn nodes(&self) -> usize {
+        struct Nodes;
+        impl Visit for Nodes {
+            type Out = usize;
+            fn surface<T: Surface>(self, terrain: &T) -> usize {
+                terrain.nodes()
+            }
+            fn body<T: Body>(self, terrain: &T) -> usize {
+                terrain.nodes()
+            }
+        }
+        self.visit(Nodes)
     }
 }

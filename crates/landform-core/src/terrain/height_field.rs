@@ -147,6 +147,10 @@ impl Terrain for HeightField {
     const KIND: Kind = Kind::HeightField;
     const BYTES_A_NODE: u64 = 150;
 
+    fn nodes(&self) -> usize {
+        self.elevation.len()
+    }
+
     fn volume(&self) -> f64 {
         let area = self.grid.cell_area();
         parallel::sum(self.elevation.len(), |i| if self.elevation[i].is_nan() { 0.0 } else { self.elevation[i] * area })

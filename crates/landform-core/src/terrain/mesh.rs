@@ -291,6 +291,10 @@ impl Terrain for Mesh {
     const KIND: Kind = Kind::Mesh;
     const BYTES_A_NODE: u64 = 420;
 
+    fn nodes(&self) -> usize {
+        self.elevation.len()
+    }
+
     fn volume(&self) -> f64 {
         parallel::sum(self.elevation.len(), |i| self.elevation[i] * self.graph.areas()[i])
     }

@@ -32,6 +32,7 @@ mod layers;
 mod material;
 mod mesh;
 mod sea;
+mod voxel_grid;
 mod window;
 
 use std::borrow::Cow;
@@ -40,7 +41,7 @@ use std::sync::Arc;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub use any::{AnyTerrain, Rasterize, Representation, Surface, Visit, bytes_a_node};
+pub use any::{AnyTerrain, Body, Rasterize, Representation, Surface, Visit, bytes_a_node, not_a_surface};
 pub use convert::{Interpolation, height_field_from_mesh, mesh_parts_from_height_field, resample, sample_by};
 pub use erode::{Brush, Erodible, Removed};
 pub use gaussian::gaussian_from_mesh;
@@ -50,6 +51,7 @@ pub use layers::{Bed, Column, Layer, Layers, MovedVolume, Stratum};
 pub use material::{Material, MaterialParams, Materials};
 pub use mesh::Mesh;
 pub use sea::sea_level;
+pub use voxel_grid::VoxelGrid;
 
 use crate::feature::Features;
 use crate::field::{Fields, Values, names};
@@ -64,6 +66,8 @@ pub enum Kind {
     HeightField,
     /// An irregular triangulated surface.
     Mesh,
+    /// Voxels of materials and of nothing.
+    VoxelGrid,
 }
 
 impl Kind {
@@ -72,6 +76,7 @@ impl Kind {
         match self {
             Self::HeightField => "height field",
             Self::Mesh => "mesh",
+            Self::VoxelGrid => "voxel grid",
         }
     }
 }
@@ -88,6 +93,9 @@ pub trait Terrain: Clone + Send + Sync + Serialize + DeserializeOwned + 'static 
     const KIND: Kind;
     /// Bytes a node while processes run, measured.
     const BYTES_A_NODE: u64;
+
+    /// How many nodes or voxels it has.
+    fn nodes(&self) -> usize;
 
     /// Volume of the ground above z = 0, m³ (negative below).
     fn volume(&self) -> f64;
@@ -166,7 +174,7 @@ pub trait NodeSurface: Terrain {
         None
     }
 
-    /// Moves the ground: the one way in which its surface changes. `update` is given the elevations (m); layers follow by `layer`.
+    /// Moves the ground: beside [`NodeSurface::change_depth`] the one way in which its surface changes. `update` is given the elevations (m); layers follow by `layer`.
     ///
     /// **Cost** that of `update`; on layered ground O(nodes · layers) more.
     fn change<R>(&mut self, layer: Layer, update: impl FnOnce(&mut [f64]) -> R) -> R {

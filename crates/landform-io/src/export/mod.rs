@@ -36,7 +36,7 @@ pub use write_picture::{ViewKind, WritePicture};
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
 
-use landform_core::terrain::{HeightField, Mesh};
+use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
 landform_core::stages! {
     export WriteRaster where HeightField;
@@ -44,7 +44,7 @@ landform_core::stages! {
     export WriteContours where HeightField, Mesh;
     export WriteFeatures where HeightField, Mesh;
     export WriteMaps where HeightField, Mesh;
-    export WriteMesh where HeightField, Mesh;
+    export WriteMesh where HeightField, Mesh, VoxelGrid;
     export WritePicture where HeightField, Mesh;
     export WriteReport where HeightField, Mesh;
 }

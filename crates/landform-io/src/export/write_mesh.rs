@@ -2,14 +2,16 @@
 
 use std::path::Path;
 
-use landform_core::terrain::{HeightField, Mesh};
+use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 use landform_core::units::Length;
 use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::format::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_of_water, mesh_format};
+use crate::format::{
+    MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels, mesh_file_of_water, mesh_format,
+};
 
 /// Surface that is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -37,11 +39,15 @@ pub struct WriteMesh {
     /// the surface is written.
     #[schemars(extend("x-above" = 0.0))]
     pub solid_base: Option<Length>,
+    /// Voxels only: rounds that smooth their steps. No point moves by more than half a voxel. 0 keeps the faces of voxels, and
+    /// encloses their volume exactly.
+    #[schemars(extend("x-min" = 0, "x-max" = 100))]
+    pub smoothing: u32,
 }
 
 impl Default for WriteMesh {
     fn default() -> Self {
-        Self { path: "terrain.glb".into(), surface: MeshSurface::Ground, solid_base: None }
+        Self { path: "terrain.glb".into(), surface: MeshSurface::Ground, solid_base: None, smoothing: 0 }
     }
 }
 
@@ -67,6 +73,14 @@ impl Params for WriteMesh {
 }
 
 impl WriteMesh {
+    /// A surface with one elevation a node has no steps.
+    fn check_surface(&self) -> Result<()> {
+        match self.smoothing {
+            0 => Ok(()),
+            given => Err(Error::parameter("smoothing", given, "none but for voxels")),
+        }
+    }
+
     fn write(&self, mesh: MeshFile, out: &mut dyn Output) -> Result<()> {
         if mesh.triangles.is_empty() {
             return Err(Error::Empty { what: "the surface: it is nowhere two nodes wide".into() });
@@ -81,6 +95,7 @@ impl WriteMesh {
 
 impl Export<Mesh> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, Mesh>, out: &mut dyn Output) -> Result<()> {
+        self.check_surface()?;
         if self.surface == MeshSurface::Water {
             return Err(Error::parameter(
                 "surface",
@@ -92,8 +107,23 @@ impl Export<Mesh> for WriteMesh {
     }
 }
 
+impl Export<VoxelGrid> for WriteMesh {
+    fn export(&self, landscape: &Landscape<'_, VoxelGrid>, out: &mut dyn Output) -> Result<()> {
+        let given = if self.surface == MeshSurface::Water { Some("surface") } else { None };
+        if let Some(name) = given.or(self.solid_base.map(|_| "solid_base")) {
+            return Err(Error::parameter(
+                name,
+                "of voxels",
+                "not given: voxels are a body of ground, closed all around",
+            ));
+        }
+        self.write(mesh_file_from_voxels(landscape.terrain, self.smoothing), out)
+    }
+}
+
 impl Export<HeightField> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
+        self.check_surface()?;
         self.write(
             match self.surface {
                 MeshSurface::Ground => mesh_file_from_height_field(landscape.terrain),

@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
+use landform_core::algo::polygonise::{Quads, polygonise};
 use landform_core::field::names;
-use landform_core::terrain::{HeightField, Mesh, NodeSurface, mesh_parts_from_height_field};
+use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, VoxelGrid, mesh_parts_from_height_field};
 use landform_core::{Error, Result};
 
 /// Points and triangles, z up, metres, counter-clockwise seen from above.
@@ -21,6 +22,44 @@ pub struct MeshFile {
 pub fn mesh_file_from_mesh(mesh: &Mesh) -> MeshFile {
     let points = mesh.positions().iter().zip(mesh.elevation()).map(|(p, z)| [p[0], p[1], *z]).collect();
     MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None }
+}
+
+/// The faces of voxels, two triangles each; `rounds` of smoothing, in which no point leaves the half of a voxel around it.
+pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
+    let shape = ground.plan().shape;
+    // Rows run from the north, the lattice from the south.
+    let node = |x: usize, y: usize| shape.index(shape.rows - 1 - y, x);
+    let size = [shape.cols, shape.rows, ground.levels()];
+    let quads = polygonise(size, |[x, y, z]| ground.material(z, node(x, y)).is_some());
+    let Bounds { low, .. } = ground.bounding_box();
+    let [dx, dy] = ground.plan().spacing;
+    let side = [dx, dy, ground.height()];
+    let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + v[k] * side[k]);
+    let points = quads.points(smooth(&quads, rounds)).into_iter().map(at).collect();
+    MeshFile { points, triangles: quads.triangles(), middle: None }
+}
+
+/// Vertices of voxels' faces, each moved towards the mean of its neighbours.
+fn smooth(quads: &Quads, rounds: u32) -> Vec<[f64; 3]> {
+    let home: Vec<[f64; 3]> = quads.vertices.iter().map(|v| v.map(f64::from)).collect();
+    let mut points = home.clone();
+    for _ in 0..rounds {
+        let mut sums = vec![([0.0; 3], 0.0); points.len()];
+        for face in &quads.faces {
+            for k in 0..4 {
+                let (sum, count) = &mut sums[face[k] as usize];
+                let next = points[face[(k + 1) % 4] as usize];
+                (0..3).for_each(|axis| sum[axis] += next[axis]);
+                *count += 1.0;
+            }
+        }
+        let moved = |i: usize, axis: usize| {
+            let mean = sums[i].0[axis] / sums[i].1;
+            mean.clamp(home[i][axis] - 0.5, home[i][axis] + 0.5)
+        };
+        points = (0..points.len()).map(|i| std::array::from_fn(|axis| moved(i, axis))).collect();
+    }
+    points
 }
 
 /// Two triangles a cell of a raster; holes stay open.

@@ -150,9 +150,13 @@ struct OnNodes<'a>(&'a Grid);
 impl Visit for OnNodes<'_> {
     type Out = Result<Vec<f64>>;
 
-    fn visit<T: landform_core::terrain::Surface>(self, terrain: &T) -> Self::Out {
+    fn surface<T: landform_core::terrain::Surface>(self, terrain: &T) -> Self::Out {
         let raster = terrain.rasterized()?;
         Ok(parallel::map(self.0.shape.len(), |i| raster.elevation_at(self.0.position(i))))
+    }
+
+    fn body<T: landform_core::terrain::Body>(self, terrain: &T) -> Self::Out {
+        Ok(parallel::map(self.0.shape.len(), |i| terrain.height_at(self.0.position(i)).unwrap_or(f64::NAN)))
     }
 }
 

@@ -7,7 +7,7 @@ use landform_core::Result;
 use landform_core::random::Seed;
 use landform_core::sim::{Every, Model, Simulation, Stop, View};
 use landform_core::stage::ReadStage;
-use landform_core::terrain::{AnyTerrain, Surface, Terrain, Visit};
+use landform_core::terrain::{AnyTerrain, Body, Surface, Terrain, Visit, not_a_surface};
 use landform_core::verb::{Outcome, Output, Stopped};
 
 use super::Recipe;
@@ -32,7 +32,7 @@ pub(super) struct Evolving<'a, 'b> {
 impl Visit for Evolving<'_, '_> {
     type Out = Result<Option<(AnyTerrain, Outcome)>>;
 
-    fn visit<T: Surface>(self, terrain: &T) -> Self::Out {
+    fn surface<T: Surface>(self, terrain: &T) -> Self::Out {
         let clock = &self.evolve.clock;
         let model = self.model(terrain)?;
         let resume = self.options.resume && self.checkpoint.as_ref().is_some_and(Checkpoint::is_there);
@@ -66,6 +66,10 @@ impl Visit for Evolving<'_, '_> {
             (self.options.progress)(Signal::Note(note.into()));
         }
         Ok(Some((terrain, outcome)))
+    }
+
+    fn body<T: Body>(self, _: &T) -> Self::Out {
+        Err(not_a_surface::<T>("a process on a clock"))
     }
 }
 

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use landform_core::analysis::{Hypsometry, SlopeArea, Summary};
 use landform_core::grid::Shape;
-use landform_core::terrain::{AnyTerrain, Surface, Visit};
+use landform_core::terrain::{AnyTerrain, Body, Surface, Visit, not_a_surface};
 use landform_core::verb::{CancelToken, Landscape, Measure, MemoryOutput, Outcome};
 use landform_core::{Error, Result, parallel};
 use landform_io::export::WritePicture;
@@ -229,8 +229,12 @@ struct Summing;
 
 impl Visit for Summing {
     type Out = Result<Measured>;
-    fn visit<T: Surface>(self, terrain: &T) -> Result<Measured> {
+    fn surface<T: Surface>(self, terrain: &T) -> Result<Measured> {
         MeasureSummary::default().measure(&Landscape::plain(terrain))
+    }
+
+    fn body<T: Body>(self, _: &T) -> Self::Out {
+        Err(not_a_surface::<T>("the table of a sweep"))
     }
 }
 

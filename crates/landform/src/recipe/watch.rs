@@ -8,7 +8,7 @@ use landform_core::algo::outlets::at_or_under;
 use landform_core::analysis::{Summary, summary};
 use landform_core::grid::{Domain, Status};
 use landform_core::sim::{Every, View};
-use landform_core::terrain::{AnyTerrain, NodeSurface, Surface, Visit};
+use landform_core::terrain::{AnyTerrain, Body, NodeSurface, Surface, Visit, not_a_surface};
 use landform_core::units::{Duration, YEAR};
 use landform_core::verb::{Output, Params, file_path};
 use landform_core::{Error, Result};
@@ -280,8 +280,12 @@ pub(super) fn draw(terrain: &AnyTerrain, picture: &WritePicture) -> Result<Pictu
     struct Drawing<'a>(&'a WritePicture);
     impl Visit for Drawing<'_> {
         type Out = Result<Picture>;
-        fn visit<T: Surface>(self, terrain: &T) -> Result<Picture> {
+        fn surface<T: Surface>(self, terrain: &T) -> Result<Picture> {
             self.0.draw(terrain)
+        }
+
+        fn body<T: Body>(self, _: &T) -> Self::Out {
+            Err(not_a_surface::<T>("a picture"))
         }
     }
     terrain.visit(Drawing(picture))

@@ -14,6 +14,8 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod height;
 mod priority_flood;
 
+pub use height::Height;
 pub use priority_flood::flood_levels;

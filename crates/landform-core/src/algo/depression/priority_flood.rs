@@ -6,6 +6,7 @@
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
+use super::Height;
 use crate::grid::{Domain, Status};
 
 /// The level to which each node must be filled so that water reaches a base level. NaN on masked nodes; nodes that no base
@@ -19,7 +20,7 @@ pub fn flood_levels<D: Domain>(domain: &D, elevation: &[f64]) -> Vec<f64> {
     let mut heap = BinaryHeap::new();
     let mut lake = VecDeque::new();
     for i in (0..level.len()).filter(|&i| status[i] == Status::BaseLevel) {
-        heap.push(Reverse((Ordered(level[i]), i)));
+        heap.push(Reverse((Height(level[i]), i)));
         closed[i] = true;
     }
     while let Some(i) = lake.pop_front().or_else(|| heap.pop().map(|Reverse((_, i))| i)) {
@@ -32,27 +33,9 @@ pub fn flood_levels<D: Domain>(domain: &D, elevation: &[f64]) -> Vec<f64> {
                 level[j] = level[i];
                 lake.push_back(j);
             } else {
-                heap.push(Reverse((Ordered(level[j]), j)));
+                heap.push(Reverse((Height(level[j]), j)));
             }
         }
     }
     level
-}
-
-/// A float that is ordered totally.
-#[derive(PartialEq)]
-struct Ordered(f64);
-
-impl Eq for Ordered {}
-
-impl PartialOrd for Ordered {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Ordered {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
 }

@@ -12,29 +12,12 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use landform_core::algo::depression::Height;
 use landform_core::algo::flow::{fall, spread_steps};
 use landform_core::grid::{Neighbours, RasterDomain};
 
 /// No pool, or no node.
 pub(super) const DRY: u32 = u32::MAX;
-
-/// A height that is ordered totally.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Height(pub(super) f64);
-
-impl Eq for Height {}
-
-impl PartialOrd for Height {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Height {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
-}
 
 #[derive(Clone, Debug, Default)]
 struct Pool {

@@ -1,7 +1,9 @@
 //! Overflow of pools: water that runs later than the first, over the same ground.
 
+use landform_core::algo::depression::Height;
+
 use super::input::{OverflowEvent, RunoffInput};
-use super::pools::{DRY, Height};
+use super::pools::DRY;
 use super::spread::FlowPartition;
 use super::sweep::Sweep;
 

@@ -12,13 +12,14 @@
 
 use std::collections::{BTreeMap, BinaryHeap};
 
+use landform_core::algo::depression::Height;
 use landform_core::algo::flow::tilt_flats;
 use landform_core::grid::{Domain, Neighbours, RasterDomain, Status};
 use landform_core::parallel;
 
 use super::input::{OverflowEvent, RunoffInput};
 use super::neighbours::NeighbourTable;
-use super::pools::{Height, Pools};
+use super::pools::Pools;
 use super::spread::{FlowPartition, GRAIN, Rule};
 use super::{Ledger, Supply};
 

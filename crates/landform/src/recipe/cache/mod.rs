@@ -130,7 +130,7 @@ impl Cache {
     }
 
     fn remember(&self, key: &str, terrain: &Arc<AnyTerrain>, event: &Event) {
-        let bytes = terrain.elevation().len() as u64 * bytes_a_node(terrain.kind());
+        let bytes = terrain.nodes() as u64 * bytes_a_node(terrain.kind());
         self.memory.keep(key.to_string(), (terrain.clone(), event.clone()), bytes);
     }
 

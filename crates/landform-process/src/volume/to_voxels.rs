@@ -1,0 +1,73 @@
+//! From a raster to voxels.
+
+use landform_core::terrain::{HeightField, Materials, NodeSurface, VoxelGrid};
+use landform_core::units::Length;
+use landform_core::verb::{Convert, Estimate, Params, Source};
+use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Turns a raster into voxels, a column under each node, so that the ground can have caves and overhangs. Layers give each voxel its
+/// material. A voxel is solid where its middle lies under the surface; fields, features and nodata's place are lost.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct ToVoxels {
+    /// Height of a voxel. If not given, the size of a cell.
+    #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
+    pub voxel_height: Option<Length>,
+    /// Ground under the lowest node.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 100_000.0))]
+    pub depth: Length,
+    /// Empty room over the highest node.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 100_000.0))]
+    pub headroom: Length,
+}
+
+impl Default for ToVoxels {
+    fn default() -> Self {
+        Self { voxel_height: None, depth: Length::of(50.0), headroom: Length::of(0.0) }
+    }
+}
+
+impl Params for ToVoxels {
+    const NAME: &'static str = "to_voxels";
+    const SOURCES: &'static [Source] = &[];
+}
+
+impl Convert<HeightField, VoxelGrid> for ToVoxels {
+    fn convert(&self, source: &HeightField) -> Result<VoxelGrid> {
+        let z = source.elevation();
+        let height = self.voxel_height.map_or(source.grid().spacing[0], Length::si);
+        let range = |(low, high): (f64, f64), z: &f64| (low.min(*z), high.max(*z));
+        let (low, high) = z.iter().fold((f64::INFINITY, f64::NEG_INFINITY), range);
+        if !low.is_finite() {
+            return Err(Error::Empty { what: "the ground: all of it is nodata".into() });
+        }
+        let bottom = ((low - self.depth.si()) / height).floor() * height;
+        let levels = ((high + self.headroom.si() - bottom) / height).ceil().max(1.0);
+        if levels > 1e6 {
+            let given = format!("{height} m over {} m of ground", high - bottom);
+            return Err(Error::parameter("voxel_height", given, "at most a million levels"));
+        }
+        let materials = source.layers().map_or_else(Materials::default, |layers| layers.materials().clone());
+        let material = |level: usize, node: usize| {
+            let middle = bottom + (level as f64 + 0.5) * height;
+            if !(middle < z[node]) {
+                return None;
+            }
+            let strata = source.layers().map(|layers| layers.column(node, z[node]));
+            Some(strata.and_then(|mut s| s.find(|s| s.bottom < middle)).map_or(0, |stratum| stratum.number))
+        };
+        VoxelGrid::from_fn(source.grid().clone(), levels as usize, bottom, height, &materials, material)
+    }
+
+    /// As if the ground were a tenth as high as it is wide.
+    fn estimate(&self, source: Estimate) -> Estimate {
+        let side = source.extent[0].max(1.0);
+        let cell = (source.extent[0] * source.extent[1] / source.nodes.max(1) as f64).sqrt().max(1e-3);
+        let height = self.voxel_height.map_or(cell, Length::si);
+        let levels = ((0.1 * side + self.depth.si() + self.headroom.si()) / height).ceil();
+        let nodes = (source.nodes as f64 * levels) as u64;
+        Estimate { nodes, bytes: source.nodes * 60 + nodes * 3, ..source }
+    }
+}
