@@ -51,7 +51,7 @@ pub use layers::{Bed, Column, Layer, Layers, MovedVolume, Stratum};
 pub use material::{Material, MaterialParams, Materials};
 pub use mesh::Mesh;
 pub use sea::sea_level;
-pub use voxel_grid::VoxelGrid;
+pub use voxel_grid::{VoxelGrid, nothing_solid};
 
 use crate::feature::Features;
 use crate::field::{Fields, Values, names};

@@ -52,8 +52,10 @@ use crate::terrain::Terrain;
 /// Size and memory of a terrain, before it exists.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
-    /// Number of nodes.
+    /// Number of nodes, or of voxels.
     pub nodes: u64,
+    /// Number of columns that voxels stand in; 0 for surfaces.
+    pub columns: u64,
     /// Bytes at the peak of the stage.
     pub bytes: u64,
     /// Extent east and north, m.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
+use landform_core::terrain::{HeightField, Mesh, VoxelGrid, nothing_solid};
 use landform_core::units::Length;
 use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
@@ -39,8 +39,8 @@ pub struct WriteMesh {
     /// the surface is written.
     #[schemars(extend("x-above" = 0.0))]
     pub solid_base: Option<Length>,
-    /// Voxels only: rounds that smooth their steps. No point moves by more than half a voxel. 0 keeps the faces of voxels, and
-    /// encloses their volume exactly.
+    /// Voxels only: rounds that smooth their steps; bodies shrink a little. No point moves by more than half a voxel along an
+    /// axis, and those on the sides of the box stay in them. 0 keeps the faces of voxels, and encloses their volume exactly.
     #[schemars(extend("x-min" = 0, "x-max" = 100))]
     pub smoothing: u32,
 }
@@ -77,7 +77,10 @@ impl WriteMesh {
     fn check_surface(&self) -> Result<()> {
         match self.smoothing {
             0 => Ok(()),
-            given => Err(Error::parameter("smoothing", given, "none but for voxels")),
+            given => {
+                let given = format!("{given} for a surface without voxels");
+                Err(Error::parameter("smoothing", given, "0"))
+            }
         }
     }
 
@@ -111,11 +114,10 @@ impl Export<VoxelGrid> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, VoxelGrid>, out: &mut dyn Output) -> Result<()> {
         let given = if self.surface == MeshSurface::Water { Some("surface") } else { None };
         if let Some(name) = given.or(self.solid_base.map(|_| "solid_base")) {
-            return Err(Error::parameter(
-                name,
-                "of voxels",
-                "not given: voxels are a body of ground, closed all around",
-            ));
+            return Err(Error::parameter(name, "given for voxels", "nothing: voxels are closed all around"));
+        }
+        if landscape.terrain.solids() == 0 {
+            return Err(nothing_solid());
         }
         self.write(mesh_file_from_voxels(landscape.terrain, self.smoothing), out)
     }

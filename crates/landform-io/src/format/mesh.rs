@@ -35,12 +35,12 @@ pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
     let [dx, dy] = ground.plan().spacing;
     let side = [dx, dy, ground.height()];
     let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + v[k] * side[k]);
-    let points = quads.points(smooth(&quads, rounds)).into_iter().map(at).collect();
+    let points = quads.points(smooth(&quads, size, rounds)).into_iter().map(at).collect();
     MeshFile { points, triangles: quads.triangles(), middle: None }
 }
 
-/// Vertices of voxels' faces, each moved towards the mean of its neighbours.
-fn smooth(quads: &Quads, rounds: u32) -> Vec<[f64; 3]> {
+/// Vertices of voxels' faces, each moved towards the mean of its neighbours, but not out of the sides of the box.
+fn smooth(quads: &Quads, size: [usize; 3], rounds: u32) -> Vec<[f64; 3]> {
     let home: Vec<[f64; 3]> = quads.vertices.iter().map(|v| v.map(f64::from)).collect();
     let mut points = home.clone();
     for _ in 0..rounds {
@@ -54,6 +54,9 @@ fn smooth(quads: &Quads, rounds: u32) -> Vec<[f64; 3]> {
             }
         }
         let moved = |i: usize, axis: usize| {
+            if home[i][axis] == 0.0 || home[i][axis] == size[axis] as f64 {
+                return home[i][axis];
+            }
             let mean = sums[i].0[axis] / sums[i].1;
             mean.clamp(home[i][axis] - 0.5, home[i][axis] + 0.5)
         };

@@ -109,6 +109,6 @@ impl Generator<HeightField> for ElevationFile {
         let field = self.read(context)?;
         let source = field.grid().len() as u64;
         let nodes = self.target(field.grid())?.map_or(source, |target| target.len() as u64);
-        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent: field.grid().extent() })
+        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent: field.grid().extent(), ..Estimate::default() })
     }
 }

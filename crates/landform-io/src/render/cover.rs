@@ -21,9 +21,15 @@ const SNOW: u32 = 0xe9edf3;
 /// Depth of soil that hides rock, m.
 const HIDES: f64 = 0.6;
 
-/// The colour of a rock; others are as `rock`.
-fn rock_colour(name: &str) -> u32 {
-    const ROCKS: &[(&str, u32)] = &[
+/// The colour of a material; one that is not known has a colour of its own by its name.
+fn colour_of(name: &str) -> u32 {
+    const KNOWN: &[(&str, u32)] = &[
+        ("rock", 0x9b8f82),
+        ("soil", 0x6e5a42),
+        ("sand", SAND),
+        ("gravel", GRAVEL),
+        ("sediment", 0xb59a72),
+        ("snow", SNOW),
         ("sandstone", 0xc48a5a),
         ("shale", 0x8b8a80),
         ("limestone", 0xd6cfba),
@@ -31,8 +37,27 @@ fn rock_colour(name: &str) -> u32 {
         ("basalt", 0x56545a),
         ("clay", 0xa5745a),
         ("coral", 0xdcd2c2),
+        ("chalk", 0xe6e2d6),
+        ("dolomite", 0xc9c0aa),
+        ("marble", 0xd8d5d0),
+        ("gneiss", 0xa89b93),
+        ("quartzite", 0xcdb394),
+        ("schist", 0x7f877c),
+        ("slate", 0x666d77),
+        ("conglomerate", 0xa98a6b),
+        ("tuff", 0xbfae94),
     ];
-    ROCKS.iter().find(|r| r.0 == name).map_or(0x9b8f82, |r| r.1)
+    const OTHERS: [u32; 6] = [0xb98f6f, 0x8e8577, 0xc2b59a, 0x77736f, 0xa4836a, 0x9aa08f];
+    let by_name =
+        || OTHERS[name.bytes().fold(7, |sum: usize, byte| (31 * sum + usize::from(byte)) % 9973) % OTHERS.len()];
+    KNOWN.iter().find(|known| known.0 == name).map_or_else(by_name, |known| known.1)
+}
+
+/// The colour of bedded ground on a cut under a node, at an elevation (m); none where ground has no beds.
+pub(super) fn cut(field: &HeightField, node: usize, elevation: f64) -> Option<Rgb> {
+    let layers = field.layers().filter(|l| l.has_beds())?;
+    let stratum = layers.column(node, field.elevation()[node]).find(|s| s.bottom < elevation)?;
+    Some(hex(colour_of(&stratum.material.name)))
 }
 
 /// Colour and share of bedded rock on every node.
@@ -44,11 +69,11 @@ fn bare_rock(field: &HeightField) -> Vec<(u32, f64)> {
         let mut top = z[i];
         for stratum in layers.column(i, z[i]) {
             if !loose.contains(&stratum.material.name.as_str()) {
-                return (rock_colour(&stratum.material.name), 1.0 - math::smoothstep(0.0, HIDES, z[i] - top));
+                return (colour_of(&stratum.material.name), 1.0 - math::smoothstep(0.0, HIDES, z[i] - top));
             }
             top = stratum.bottom;
         }
-        (rock_colour(""), 0.0)
+        (colour_of("rock"), 0.0)
     })
 }
 

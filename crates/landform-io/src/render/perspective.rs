@@ -14,7 +14,7 @@ use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{math, parallel};
 
 use super::colour::{Rgb, blend, from_oklab, hex, mix, scale, to_oklab, to_srgb};
-use super::cover::Cover;
+use super::cover::{Cover, cut};
 use super::light::{sky_view, sun_view};
 use super::pyramid::Pyramid;
 use super::{Picture, waters};
@@ -160,7 +160,9 @@ struct Skin {
 }
 
 /// The block in local metres: x east, y north from the south-west corner, elevations exaggerated.
-struct Scene {
+struct Scene<'a> {
+    field: &'a HeightField,
+    exaggeration: f64,
     shape: Shape,
     spacing: [f64; 2],
     extent: [f64; 2],
@@ -178,7 +180,7 @@ struct Scene {
 /// Blocks along a side whose highest points the frame must hold.
 const FRAMED: usize = 96;
 
-impl Scene {
+impl<'a> Scene<'a> {
     /// Points that the frame must hold: the corners of the foot, and the highest point of every part of the surface.
     fn outline(&self) -> Vec<Vector> {
         let Shape { rows, cols } = self.shape;
@@ -196,7 +198,7 @@ impl Scene {
         points
     }
 
-    fn new(field: &HeightField, view: &View) -> Self {
+    fn new(field: &'a HeightField, view: &View) -> Self {
         let grid = field.grid();
         let extent = grid.extent().map(|e| e.max(1e-6));
         let finite = field.elevation().iter().filter(|z| z.is_finite());
@@ -222,6 +224,8 @@ impl Scene {
         let pyramid = Pyramid::new(grid.shape, &surface);
         let foot = low - (0.06 * extent[0].min(extent[1])).max(0.15 * (high - low));
         Self {
+            field,
+            exaggeration: view.exaggeration,
             shape: grid.shape,
             spacing: grid.spacing,
             extent,
@@ -390,7 +394,7 @@ impl Scene {
         blend(ground, blend(below, reflected, mirror), math::smoothstep(0.0, CLEAR, skin.water))
     }
 
-    /// The cut side of the block: layers of rock.
+    /// The cut side of the block: its beds, or plain rock under a little soil.
     fn wall(&self, p: Vector) -> Rgb {
         let on_x = p[0] <= 1e-6 * self.extent[0] || p[0] >= self.extent[0] * (1.0 - 1e-6);
         let normal = if on_x {
@@ -400,11 +404,14 @@ impl Scene {
         };
         let scale_length = 0.02 * (self.extent[0] + self.extent[1]);
         let along_wall = if on_x { p[1] } else { p[0] };
-        let wave = fbm(Seed(11), along_wall / (6.0 * scale_length), 0.3, 4, 2.0, 0.5);
-        let bed = fbm(Seed(12), 0.5, (p[2] + wave * 0.35 * scale_length) / (0.30 * scale_length), 3, 2.2, 0.6);
-        let colour = mix(hex(0x8b7c6c), hex(0xb9aa95), 0.5 + 0.8 * bed);
-        let below = ((self.height_at(p) - p[2]) / (0.12 * scale_length)).clamp(0.0, 1.0);
-        let colour = mix(hex(0x574a3e), colour, 0.3 + 0.7 * below);
+        let under = (self.height_at(p) - p[2]) / scale_length;
+        let [col, row] = self.col_row(p).map(f64::round);
+        let node = self.shape.index(row as usize, col as usize);
+        let beds = cut(self.field, node, p[2] / self.exaggeration);
+        let grain = fbm(Seed(11), along_wall / (0.5 * scale_length), p[2] / (0.5 * scale_length), 4, 2.1, 0.6);
+        let plain = || mix(hex(0x857a6e), hex(0x6d645b), 0.25 * under + 0.35 * grain);
+        let soil = |rock: Rgb| mix(hex(0x54463a), rock, math::smoothstep(0.02, 0.07, under));
+        let colour = beds.map_or_else(|| soil(plain()), |bed| scale(bed, 0.9 + 0.12 * grain));
         let light = 0.25 + 0.75 * dot(normal, self.sun).max(0.0);
         [0, 1, 2].map(|k| colour[k] * (0.6 * SUN_LIGHT[k] * light + 0.6 * SKY_LIGHT[k]))
     }
@@ -441,6 +448,7 @@ fn water_depth(field: &HeightField, lo: f64, hi: f64, inland: bool) -> Vec<f64> 
 struct Inks {
     meadow: [Rgb; 2],
     heath: [Rgb; 2],
+    forest: [Rgb; 2],
     rock: [Rgb; 2],
     snow: Rgb,
     river: Rgb,
@@ -452,6 +460,7 @@ impl Inks {
         Self {
             meadow: [ink(0x59693c), ink(0x7d7d50)],
             heath: [ink(0x7a7056), ink(0x92856c)],
+            forest: [ink(0x2f3f28), ink(0x465634)],
             rock: [ink(0x7d736a), ink(0x9d948a)],
             snow: ink(0xdfe4ea),
             river: ink(0x35617f),
@@ -483,15 +492,24 @@ impl Paint {
     }
 
     fn ground(&self, grid: &Grid, z: &[f64], i: usize) -> Rgb {
-        let slope = gradient(grid, z, i).slope() / self.exaggeration;
+        let gradient = gradient(grid, z, i);
+        let slope = gradient.slope() / self.exaggeration;
         let [x, y] = grid.position(i);
         let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
         let patch = fbm(Seed(3), 24.0 * x / size, 24.0 * y / size, 5, 2.0, 0.55);
         let height = (z[i] - self.low) / self.relief + 0.07 * patch;
         let mean = |a: Rgb, b: Rgb, t: f64| blend(a, b, t.clamp(0.0, 1.0));
         let patched = |[a, b]: [Rgb; 2], strength: f64| mean(a, b, 0.5 + strength * patch);
-        let Inks { meadow, heath, rock, snow: white, river: blue } = &self.inks;
+        let Inks { meadow, heath, forest, rock, snow: white, river: blue } = &self.inks;
         let mut colour = mean(patched(*meadow, 0.8), patched(*heath, 0.7), math::smoothstep(0.18, 0.55, height));
+        if !self.cover.is_desert() {
+            // Trees like the shade, and leave heights and the steepest ground.
+            let stands = fbm(Seed(5), 90.0 * x / size, 90.0 * y / size, 4, 2.1, 0.6);
+            let shady = (-gradient.y / self.exaggeration).clamp(-0.6, 0.6);
+            let room = 0.45 + 0.8 * stands + 0.7 * shady - 1.3 * math::smoothstep(0.40, 0.72, height);
+            let share = math::smoothstep(0.3, 0.6, room - math::smoothstep(0.75, 1.2, slope));
+            colour = mean(colour, patched(*forest, 0.8), 0.9 * share);
+        }
         let steep = math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0));
         colour = mean(colour, patched(*rock, 0.8), steep);
         let snow = math::smoothstep(0.70, 0.84, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));

@@ -126,6 +126,6 @@ impl Generator<HeightField> for FrontTerrain {
 
     fn estimate(&self, _: &Context) -> Result<Estimate> {
         let nodes = self.grid.grid()?.len() as u64;
-        Ok(Estimate { nodes, bytes: nodes * 260, extent: self.grid.size.map(Length::si) })
+        Ok(Estimate { nodes, bytes: nodes * 260, extent: self.grid.size.map(Length::si), ..Estimate::default() })
     }
 }

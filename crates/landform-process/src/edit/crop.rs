@@ -73,7 +73,7 @@ impl Edit<HeightField> for Crop {
         let (x, y) = (share(west, east, before.extent[0]), share(south, north, before.extent[1]));
         let nodes = (before.nodes as f64 * x * y).ceil() as u64;
         let extent = [before.extent[0] * x, before.extent[1] * y];
-        Estimate { nodes, bytes: before.nodes * 20 + nodes * 60, extent }
+        Estimate { nodes, bytes: before.nodes * 20 + nodes * 60, extent, ..before }
     }
 }
 
@@ -95,7 +95,7 @@ mod tests {
         assert_eq!(part.grid().bounds(), [[10.0, 10.0], [30.0, 20.0]]);
         assert_eq!(part.elevation(), [13.0, 14.0, 15.0, 19.0, 20.0, 21.0]);
         assert!(part.grid().frame.is_none() && part.grid().edges == Edges::default() && part.chosen_status().is_none());
-        let estimate = crop.estimate(Estimate { nodes: 30, bytes: 0, extent: [50.0, 40.0] });
+        let estimate = crop.estimate(Estimate { nodes: 30, extent: [50.0, 40.0], ..Estimate::default() });
         assert!((4..=8).contains(&estimate.nodes), "{estimate:?}");
     }
 

@@ -81,7 +81,7 @@ fn alone(generator: &impl OnGrid, context: &Context) -> Result<HeightField> {
 fn alone_estimate(generator: &impl OnGrid, context: &Context) -> Result<Estimate> {
     let grid = context.wanted(generator.grid().grid()?)?;
     let (nodes, extent) = (grid.len() as u64, grid.extent());
-    Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent })
+    Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent, ..Estimate::default() })
 }
 
 /// Implements `Generator<HeightField>` by [`OnGrid`].

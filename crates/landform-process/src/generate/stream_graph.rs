@@ -108,6 +108,6 @@ impl Generator<Mesh> for StreamGraph {
         if !(nodes <= 2.2e7) {
             return Err(Error::parameter("spacing", format!("{nodes:.1e} nodes"), "at most 20 million nodes"));
         }
-        Ok(Estimate { nodes: nodes as u64, bytes: nodes as u64 * 420, extent: [w, h] })
+        Ok(Estimate { nodes: nodes as u64, bytes: nodes as u64 * 420, extent: [w, h], ..Estimate::default() })
     }
 }

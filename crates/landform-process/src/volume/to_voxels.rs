@@ -8,12 +8,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Turns a raster into voxels, a column under each node, so that the ground can have caves and overhangs. Layers give each voxel its
-/// material. A voxel is solid where its middle lies under the surface; fields, features and nodata's place are lost.
+/// material. A voxel is solid where its middle lies under the surface; fields, features, chosen outlets and the place of
+/// nodata are lost.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToVoxels {
     /// Height of a voxel. If not given, the size of a cell.
-    #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
+    #[schemars(extend("x-min" = 0.001, "x-role" = "resolution"))]
     pub voxel_height: Option<Length>,
     /// Ground under the lowest node.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100_000.0))]
@@ -45,9 +46,9 @@ impl Convert<HeightField, VoxelGrid> for ToVoxels {
         }
         let bottom = ((low - self.depth.si()) / height).floor() * height;
         let levels = ((high + self.headroom.si() - bottom) / height).ceil().max(1.0);
-        if levels > 1e6 {
-            let given = format!("{height} m over {} m of ground", high - bottom);
-            return Err(Error::parameter("voxel_height", given, "at most a million levels"));
+        if levels > 1e6 || levels * z.len() as f64 > f64::from(u32::MAX) {
+            let given = format!("{height} m over {} m of ground: {levels} levels on {} nodes", high - bottom, z.len());
+            return Err(Error::parameter("voxel_height", given, "at most a million levels and 4 billion voxels"));
         }
         let materials = source.layers().map_or_else(Materials::default, |layers| layers.materials().clone());
         let material = |level: usize, node: usize| {
@@ -68,6 +69,6 @@ impl Convert<HeightField, VoxelGrid> for ToVoxels {
         let height = self.voxel_height.map_or(cell, Length::si);
         let levels = ((0.1 * side + self.depth.si() + self.headroom.si()) / height).ceil();
         let nodes = (source.nodes as f64 * levels) as u64;
-        Estimate { nodes, bytes: source.nodes * 60 + nodes * 3, ..source }
+        Estimate { nodes, columns: source.nodes, bytes: source.nodes * 60 + nodes * 2, ..source }
     }
 }

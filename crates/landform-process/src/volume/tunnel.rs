@@ -1,8 +1,8 @@
 //! A passage through solid ground.
 
-use landform_core::terrain::VoxelGrid;
+use landform_core::terrain::{Bounds, Ground, VoxelGrid};
 use landform_core::units::Length;
-use landform_core::verb::{Context, Edit, Params, Source};
+use landform_core::verb::{Context, Edit, Estimate, Params, Source};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Tunnel {
-    /// Places that it leads through, each x, y and elevation; two at least.
+    /// Places that it leads through, each x, y and elevation; two at least. There is no default.
     pub along: Vec<[Length; 3]>,
     /// Half of its width.
     #[schemars(extend("x-above" = 0.0))]
@@ -20,8 +20,7 @@ pub struct Tunnel {
 
 impl Default for Tunnel {
     fn default() -> Self {
-        let ends = [[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]];
-        Self { along: ends.map(|end| end.map(Length::of)).to_vec(), radius: Length::of(5.0) }
+        Self { along: Vec::new(), radius: Length::of(5.0) }
     }
 }
 
@@ -30,20 +29,47 @@ impl Params for Tunnel {
     const SOURCES: &'static [Source] = &[];
 
     fn check(&self) -> Result<()> {
-        if self.along.len() < 2 {
-            let given = format!("{} places", self.along.len());
-            return Err(Error::parameter("along", given, "at least two, each [\"x\", \"y\", \"elevation\"]"));
+        match self.along.len() {
+            1 => Err(too_few(1)),
+            _ => Ok(()),
         }
-        Ok(())
     }
+}
+
+fn too_few(places: usize) -> Error {
+    Error::parameter("along", format!("{places} places"), "at least two, each [\"x\", \"y\", \"elevation\"]")
 }
 
 impl Edit<VoxelGrid> for Tunnel {
     fn edit(&self, terrain: &mut VoxelGrid, _: &Context) -> Result<()> {
         let along: Vec<[f64; 3]> = self.along.iter().map(|place| place.map(Length::si)).collect();
-        let square = self.radius.si() * self.radius.si();
-        terrain.empty(|at| along.windows(2).any(|ends| square_of_distance(at, ends[0], ends[1]) < square));
-        Ok(())
+        if along.len() < 2 {
+            return Err(too_few(along.len()));
+        }
+        let radius = self.radius.si();
+        let within = |ends: &[[f64; 3]]| Bounds {
+            low: [0, 1, 2].map(|k| ends[0][k].min(ends[1][k]) - radius),
+            high: [0, 1, 2].map(|k| ends[0][k].max(ends[1][k]) + radius),
+        };
+        let cut = |ends: &[[f64; 3]]| {
+            terrain.empty(within(ends), |at| square_of_distance(at, ends[0], ends[1]) <= radius * radius)
+        };
+        if along.windows(2).map(cut).sum::<usize>() > 0 {
+            return Ok(());
+        }
+        let Bounds { low, high } = terrain.bounding_box();
+        let box_of = |k: usize| format!("{} to {} m", low[k], high[k]);
+        let expected = format!(
+            "a way through solid ground, wide enough to hold the middle of a voxel; the ground lies within x {}, y {}, elevation {}",
+            box_of(0),
+            box_of(1),
+            box_of(2)
+        );
+        Err(Error::parameter("along", "nowhere near a solid voxel", &expected))
+    }
+
+    fn estimate(&self, before: Estimate) -> Estimate {
+        Estimate { bytes: 2 * before.nodes, ..before }
     }
 }
 
@@ -61,7 +87,7 @@ fn square_of_distance(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use landform_core::grid::{Grid, Shape};
-    use landform_core::terrain::{Ground, Materials, Terrain};
+    use landform_core::terrain::{Materials, Terrain};
 
     use super::*;
 
@@ -77,6 +103,7 @@ mod tests {
         let tube = 60.0 * std::f64::consts::PI * 36.0 + ball;
         assert!(((before - ground.volume()) / tube - 1.0).abs() < 0.01);
         assert!(ground.hit([21.0, 20.0, 20.0], [79.0, 20.0, 20.0]).is_none());
+        assert!(tunnel.edit(&mut ground, &Context::default()).is_err(), "nothing is left to remove");
         let short = Tunnel { along: vec![ends[0].map(Length::of)], ..tunnel };
         assert!(short.check().is_err());
     }

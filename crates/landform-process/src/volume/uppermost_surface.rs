@@ -1,7 +1,7 @@
 //! From voxels to a raster.
 
 use landform_core::Result;
-use landform_core::terrain::{HeightField, VoxelGrid};
+use landform_core::terrain::{HeightField, VoxelGrid, nothing_solid};
 use landform_core::verb::{Convert, Estimate, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -18,6 +18,9 @@ impl Params for UppermostSurface {
 
 impl Convert<VoxelGrid, HeightField> for UppermostSurface {
     fn convert(&self, source: &VoxelGrid) -> Result<HeightField> {
+        if source.solids() == 0 {
+            return Err(nothing_solid());
+        }
         let top = |node: usize| {
             source.top(node).map_or(f64::NAN, |level| source.bottom() + (level + 1) as f64 * source.height())
         };
@@ -25,7 +28,7 @@ impl Convert<VoxelGrid, HeightField> for UppermostSurface {
     }
 
     fn estimate(&self, source: Estimate) -> Estimate {
-        Estimate { bytes: source.bytes, ..source }
+        Estimate { nodes: source.columns, columns: 0, bytes: source.nodes + source.columns * 60, ..source }
     }
 }
 

@@ -66,7 +66,7 @@ impl Erodible for VoxelGrid {
 mod tests {
     use super::*;
     use crate::grid::{Grid, Shape};
-    use crate::terrain::{Ground, Materials, Terrain};
+    use crate::terrain::{Bounds, Ground, Materials, Terrain};
 
     /// A plain of rock at 20 m with a cave under it.
     fn ground() -> VoxelGrid {
@@ -75,7 +75,8 @@ mod tests {
         let mut ground =
             VoxelGrid::from_fn(plan, 14, 0.0, 2.0, &materials, |level, _| (level < 10).then_some(0)).unwrap();
         let middle = ground.middle(5, 4 * 11 + 5);
-        let cut = ground.empty(|p| (0..3).all(|k| (p[k] - middle[k]).abs() < 3.0));
+        let near = Bounds { low: middle.map(|v| v - 3.0), high: middle.map(|v| v + 3.0) };
+        let cut = ground.empty(near, |p| (0..3).all(|k| (p[k] - middle[k]).abs() < 3.0));
         assert_eq!(cut, 27);
         ground
     }

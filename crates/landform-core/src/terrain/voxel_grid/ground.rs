@@ -5,7 +5,7 @@ use crate::terrain::{Bounds, Ground};
 
 impl VoxelGrid {
     /// Column, row and level of a place, counted from the outer corner of the first voxel.
-    fn lattice(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    pub(super) fn lattice(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [col, row] = self.plan.col_row([x, y]);
         [col + 0.5, row + 0.5, (z - self.bottom) / self.height]
     }

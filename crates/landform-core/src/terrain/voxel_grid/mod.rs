@@ -7,8 +7,8 @@ mod ground;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Kind, Materials, Terrain};
-use crate::grid::Grid;
+use super::{Bounds, Kind, Materials, Terrain};
+use crate::grid::{Grid, Shape};
 use crate::{Error, Result, parallel};
 
 /// What an empty voxel holds instead of a material's number.
@@ -121,23 +121,42 @@ impl VoxelGrid {
         [x, y, self.bottom + (level as f64 + 0.5) * self.height]
     }
 
-    /// Empties voxels whose middle `cut` holds for; returns how many were not empty before. **Cost** O(voxels).
-    pub fn empty(&mut self, cut: impl Fn([f64; 3]) -> bool + Sync) -> usize {
-        let (before, nodes) = (self.solids(), self.plan.len());
-        let mut voxels = std::mem::take(&mut self.voxels);
-        parallel::update(&mut voxels, |i, v| {
-            if *v != EMPTY && cut(self.middle(i / nodes, i % nodes)) {
-                *v = EMPTY;
+    /// Empties voxels whose middle lies within `bounds` and `cut` holds for; returns how many were not empty before.
+    ///
+    /// **Cost** O(voxels within the bounds).
+    pub fn empty(&mut self, bounds: Bounds, cut: impl Fn([f64; 3]) -> bool) -> usize {
+        let (first, last) = (self.lattice(bounds.low), self.lattice(bounds.high));
+        // Rows run from the north.
+        let (first, last) = ([first[0], last[1], first[2]], [last[0], first[1], last[2]]);
+        let Shape { rows, cols } = self.plan.shape;
+        let within = |k: usize, n: usize| {
+            let at = |v: f64| v.floor().clamp(0.0, n as f64) as usize;
+            at(first[k])..at(last[k] + 1.0)
+        };
+        let (cols, rows, mut emptied) = (within(0, cols), within(1, rows), 0);
+        for level in within(2, self.levels) {
+            for node in rows.clone().flat_map(|row| cols.clone().map(move |col| (row, col))) {
+                let node = self.plan.shape.index(node.0, node.1);
+                if self.material(level, node).is_some() && cut(self.middle(level, node)) {
+                    self.voxels[level * self.plan.len() + node] = EMPTY;
+                    emptied += 1;
+                }
             }
-        });
-        self.voxels = voxels;
-        before - self.solids()
+        }
+        emptied
     }
+}
+
+/// That no voxel is solid, so that there is no surface.
+pub fn nothing_solid() -> Error {
+    let hint = "a tunnel may have removed all of it; or give `to_voxels` a greater `depth`";
+    Error::Recipe { at: None, what: "no voxel is solid: there is no surface".into(), hint: Some(hint.into()) }
 }
 
 impl Terrain for VoxelGrid {
     const KIND: Kind = Kind::VoxelGrid;
-    const BYTES_A_NODE: u64 = 3;
+    /// A byte a voxel, and what making its surface takes.
+    const BYTES_A_NODE: u64 = 9;
 
     fn nodes(&self) -> usize {
         self.voxels.len()
