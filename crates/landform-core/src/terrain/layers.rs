@@ -167,6 +167,17 @@ impl Layers {
         Ok(&mut self.loose[at].depth)
     }
 
+    /// Elevation of the upper face of the first bed at a node, m; none without beds.
+    ///
+    /// ```
+    /// use landform_core::terrain::{Layers, Materials};
+    ///
+    /// assert_eq!(Layers::rock(&Materials::default(), 4).datum(0), None);
+    /// ```
+    pub fn datum(&self, node: usize) -> Option<f64> {
+        self.beds.as_ref().map(|beds| beds.datum[node])
+    }
+
     /// The strata under a node whose surface stands at `z`, from the surface down.
     pub fn column(&self, node: usize, z: f64) -> Column<'_> {
         Column { layers: self, node, top: z, loose: self.loose.len() }

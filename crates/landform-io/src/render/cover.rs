@@ -53,10 +53,12 @@ fn colour_of(name: &str) -> u32 {
     KNOWN.iter().find(|known| known.0 == name).map_or_else(by_name, |known| known.1)
 }
 
-/// The colour of bedded ground on a cut under a node, at an elevation (m); none where ground has no beds.
-pub(super) fn cut(field: &HeightField, node: usize, elevation: f64) -> Option<Rgb> {
-    let layers = field.layers().filter(|l| l.has_beds())?;
-    let stratum = layers.column(node, field.elevation()[node]).find(|s| s.bottom < elevation)?;
+/// The colour of bedded ground on a cut, `t` of the way from one node to another, at an elevation (m); none where ground has no
+/// beds. Beds run straight from node to node.
+pub(super) fn cut(field: &HeightField, [from, to]: [usize; 2], t: f64, elevation: f64) -> Option<Rgb> {
+    let layers = field.layers()?;
+    let rise = t * (layers.datum(to)? - layers.datum(from)?);
+    let stratum = layers.column(from, field.elevation()[from]).find(|s| s.bottom < elevation - rise)?;
     Some(hex(colour_of(&stratum.material.name)))
 }
 

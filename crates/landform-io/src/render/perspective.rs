@@ -405,9 +405,9 @@ impl<'a> Scene<'a> {
         let scale_length = 0.02 * (self.extent[0] + self.extent[1]);
         let along_wall = if on_x { p[1] } else { p[0] };
         let under = (self.height_at(p) - p[2]) / scale_length;
-        let [col, row] = self.col_row(p).map(f64::round);
-        let node = self.shape.index(row as usize, col as usize);
-        let beds = cut(self.field, node, p[2] / self.exaggeration);
+        let (k, [u, v]) = self.corners(p);
+        let (to, t) = if on_x { (k[2], v) } else { (k[1], u) };
+        let beds = cut(self.field, [k[0], to], t, p[2] / self.exaggeration);
         let grain = fbm(Seed(11), along_wall / (0.5 * scale_length), p[2] / (0.5 * scale_length), 4, 2.1, 0.6);
         let plain = || mix(hex(0x857a6e), hex(0x6d645b), 0.25 * under + 0.35 * grain);
         let soil = |rock: Rgb| mix(hex(0x54463a), rock, math::smoothstep(0.02, 0.07, under));

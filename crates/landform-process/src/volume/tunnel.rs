@@ -58,12 +58,12 @@ impl Edit<VoxelGrid> for Tunnel {
             return Ok(());
         }
         let Bounds { low, high } = terrain.bounding_box();
-        let box_of = |k: usize| format!("{} to {} m", low[k], high[k]);
+        let range = |k: usize| format!("{} to {} m", low[k], high[k]);
         let expected = format!(
             "a way through solid ground, wide enough to hold the middle of a voxel; the ground lies within x {}, y {}, elevation {}",
-            box_of(0),
-            box_of(1),
-            box_of(2)
+            range(0),
+            range(1),
+            range(2)
         );
         Err(Error::parameter("along", "nowhere near a solid voxel", &expected))
     }
@@ -97,10 +97,10 @@ mod tests {
         let mut ground = VoxelGrid::from_fn(plan, 40, 0.0, 1.0, &Materials::default(), |_, _| Some(0)).unwrap();
         let before = ground.volume();
         let ends = [[20.0, 20.3, 20.6], [80.0, 20.3, 20.6]];
-        let tunnel = Tunnel { along: ends.map(|end| end.map(Length::of)).to_vec(), radius: Length::of(6.0) };
+        let tunnel = Tunnel { along: ends.map(|end| end.map(Length::of)).to_vec(), radius: Length::of(12.0) };
         tunnel.edit(&mut ground, &Context::default()).unwrap();
-        let ball = 4.0 / 3.0 * std::f64::consts::PI * 216.0;
-        let tube = 60.0 * std::f64::consts::PI * 36.0 + ball;
+        let ball = 4.0 / 3.0 * std::f64::consts::PI * 1728.0;
+        let tube = 60.0 * std::f64::consts::PI * 144.0 + ball;
         assert!(((before - ground.volume()) / tube - 1.0).abs() < 0.01);
         assert!(ground.hit([21.0, 20.0, 20.0], [79.0, 20.0, 20.0]).is_none());
         assert!(tunnel.edit(&mut ground, &Context::default()).is_err(), "nothing is left to remove");
