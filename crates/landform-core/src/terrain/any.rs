@@ -83,6 +83,13 @@ pub trait Visit {
 }
 
 /// That `what` needs a surface with one elevation a node, and a terrain is none.
+///
+/// ```
+/// use landform_core::terrain::{VoxelGrid, not_a_surface};
+///
+/// let error = not_a_surface::<VoxelGrid>("a picture").to_string();
+/// assert!(error.contains("a picture") && error.contains("voxel grid"));
+/// ```
 pub fn not_a_surface<T: Terrain>(what: &str) -> Error {
     Error::Unsupported {
         what: what.into(),
