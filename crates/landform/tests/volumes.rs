@@ -6,8 +6,8 @@ use std::path::Path;
 
 use landform::core::parallel::with_threads;
 use landform::core::terrain::{Erodible, Ground, HeightField, NodeSurface, Terrain, VoxelGrid};
-use landform::core::verb::MemoryOutput;
-use landform::recipe::{AnyTerrain, Cache, Options, Ran, Recipe};
+use landform::core::verb::{CancelToken, MemoryOutput};
+use landform::recipe::{AnyTerrain, Cache, Options, Override, Ran, Recipe, Sweep};
 
 const RIDGE: &str = "seed = 2\n[[stage]]\nuse = \"layered_ground\"\n\
     grid = { size = [\"200 m\", \"120 m\"], cell_size = \"5 m\" }\n\
@@ -98,6 +98,14 @@ fn voxels_pass_cache_and_threads_and_become_a_raster_again() {
     assert!(roofed(40.0) <= voxels(&whole).height_at([40.0, 60.0]).unwrap(), "an open cutting at its mouth");
     assert!(raster.elevation().iter().all(|z| z.is_finite()));
     assert!(voxels(&whole).volume() > voxels(&first).volume());
+}
+
+#[test]
+fn a_sweep_of_voxels_is_refused_before_it_runs() {
+    let load = |overrides: &[Override]| Recipe::parse(RIDGE, "test", Path::new("."), overrides);
+    let sweep = Sweep { seeds: vec![1, 2], ..Sweep::default() };
+    let error = sweep.run(load, None, &CancelToken::default(), |_, _| panic!("it ran")).unwrap_err().to_string();
+    assert!(error.contains("voxel grid"), "{error}");
 }
 
 #[test]

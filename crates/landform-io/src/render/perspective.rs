@@ -512,8 +512,11 @@ impl Paint {
         }
         let steep = math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0));
         colour = mean(colour, patched(*rock, 0.8), steep);
-        let snow = math::smoothstep(0.70, 0.84, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));
-        colour = mean(colour, *white, snow * math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
+        // The lower the land, the nearer to its top the snow begins.
+        let line = math::lerp(1.1, 0.72, math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
+        let snow =
+            math::smoothstep(line - 0.02, line + 0.1, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));
+        colour = mean(colour, *white, snow);
         let river = self.river[i];
         if river > 0.45 {
             colour = mean(colour, *blue, math::smoothstep(0.45, 0.8, river));

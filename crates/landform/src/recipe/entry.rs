@@ -365,7 +365,8 @@ impl EntryReader<'_> {
             // At the top the parameters are known; deeper, the message lists what is.
             if let Some(entry) = node.get(word) {
                 let hint = nearest(word, known.iter().map(String::as_str)).map(|n| format!("did you mean `{n}`?"));
-                let hint = hint.or_else(|| Some(format!("it has {}", known.join(", "))));
+                let all = if known.is_empty() { "none".into() } else { known.join(", ") };
+                let hint = hint.or_else(|| Some(format!("it has {all}")));
                 return self.error(&entry.span, format!("`{stage}` has no parameter `{word}`"), hint);
             }
             let listed: Vec<&str> = message.split('`').skip(3).step_by(2).collect();

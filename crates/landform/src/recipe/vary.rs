@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use landform_core::analysis::{Hypsometry, SlopeArea, Summary};
 use landform_core::grid::Shape;
-use landform_core::terrain::{AnyTerrain, Body, Surface, Visit, not_a_surface};
+use landform_core::terrain::{AnyTerrain, Body, Surface, Visit, VoxelGrid, not_a_surface};
 use landform_core::verb::{CancelToken, Landscape, Measure, MemoryOutput, Outcome};
 use landform_core::{Error, Result, parallel};
 use landform_io::export::WritePicture;
@@ -152,6 +152,9 @@ impl Sweep {
         let runs = self.runs(own.seed)?;
         let recipes =
             runs.iter().map(|(seed, values)| load(&self.overrides(*seed, values)?)).collect::<Result<Vec<_>>>()?;
+        if own.entries.last().and_then(|entry| entry.kind).is_some_and(|kind| !kind.is_surface()) {
+            return Err(not_a_surface::<VoxelGrid>("the table of a sweep"));
+        }
         let mut bytes = 0;
         for recipe in &recipes {
             bytes = recipe.plan(None, "")?.bytes.max(bytes);
