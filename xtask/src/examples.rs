@@ -5,7 +5,9 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use crate::layers::sources;
 
 const KEPT: &str = "xtask/examples.json";
 const CRATES: [&str; 4] = ["landform-core", "landform-process", "landform-io", "landform"];
@@ -34,22 +36,10 @@ pub(crate) fn run(accept: bool) -> bool {
 fn of_crate(name: &str) -> usize {
     sources(&Path::new("crates").join(name).join("src"))
         .iter()
+        .filter(|path| !path.ends_with("tests.rs"))
         .filter_map(|path| fs::read_to_string(path).ok())
         .map(|text| without_example(&text))
         .sum()
-}
-
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let path = entry.path();
-        if path.is_dir() {
-            found.extend(sources(&path));
-        } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("tests.rs") {
-            found.push(path);
-        }
-    }
-    found
 }
 
 fn without_example(text: &str) -> usize {

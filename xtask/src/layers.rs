@@ -189,7 +189,8 @@ fn absolute(module: &[String], path: &[String]) -> Option<Module> {
     }
 }
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
+/// All Rust files under a folder.
+pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let Ok(entries) = fs::read_dir(folder) else { return found };
     for path in entries.flatten().map(|e| e.path()) {

@@ -56,17 +56,22 @@ fn each<T: Send>(tasks: Vec<T>, work: &(dyn Fn(usize, T) + Sync)) {
     });
 }
 
-/// What `work` gives of 0..count, in order.
-fn gather<R: Send>(count: usize, work: &(dyn Fn(usize) -> R + Sync)) -> Vec<R> {
-    let results: Vec<_> = (0..count).map(|_| Once::new(None)).collect();
-    side_by_side(count, &|k| {
-        results[k].swap(Some(work(k)));
+/// What `work` gives of every task, in order.
+fn gather<T: Send, R: Send>(tasks: Vec<T>, work: &(dyn Fn(T) -> R + Sync)) -> Vec<R> {
+    let results: Vec<_> = tasks.iter().map(|_| Once::new(None)).collect();
+    each(tasks, &|k, task| {
+        results[k].swap(Some(work(task)));
     });
     results.iter().filter_map(|result| result.swap(None)).collect()
 }
 
-fn piece(k: usize, n: usize, size: usize) -> Range<usize> {
-    k * size..((k + 1) * size).min(n)
+/// Calls `f(i, &mut out[i])` for every index, in pieces of a size.
+fn update_pieces<T: Send>(out: &mut [T], size: usize, f: impl Fn(usize, &mut T) + Sync) {
+    each(out.chunks_mut(size).collect(), &|k, piece: &mut [T]| {
+        for (j, v) in piece.iter_mut().enumerate() {
+            f(k * size + j, v);
+        }
+    });
 }
 
 /// How many of `n` values, which may be costly, make a piece.
@@ -92,18 +97,13 @@ pub fn find_first(n: usize, f: impl Fn(usize) -> bool + Sync) -> Option<usize> {
 /// `f` of every index, in order.
 pub fn map<T: Send + Clone + Default>(n: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let mut out = vec![T::default(); n];
-    let size = piece_of_costly(n);
-    each(out.chunks_mut(size).collect(), &|k, piece: &mut [T]| {
-        for (j, v) in piece.iter_mut().enumerate() {
-            *v = f(k * size + j);
-        }
-    });
+    update_pieces(&mut out, piece_of_costly(n), |i, v| *v = f(i));
     out
 }
 
 /// `f` of every piece of 0..n, in order.
 pub fn map_pieces<T: Send>(n: usize, f: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    gather(n.div_ceil(PIECE), &|k| f(piece(k, n, PIECE)))
+    gather((0..n).step_by(PIECE).collect(), &|first| f(first..(first + PIECE).min(n)))
 }
 
 /// Sets `out[i] = f(i)`.
@@ -113,11 +113,7 @@ pub fn fill<T: Send>(out: &mut [T], f: impl Fn(usize) -> T + Sync) {
 
 /// Calls `f(i, &mut out[i])` for every index.
 pub fn update<T: Send>(out: &mut [T], f: impl Fn(usize, &mut T) + Sync) {
-    each(out.chunks_mut(PIECE).collect(), &|k, piece: &mut [T]| {
-        for (j, v) in piece.iter_mut().enumerate() {
-            f(k * PIECE + j, v);
-        }
-    });
+    update_pieces(out, PIECE, f);
 }
 
 /// How many rows of `cols` values make a piece.
@@ -185,8 +181,7 @@ pub fn map_pieces_mut<const N: usize, A: Send, T: Send>(
 
 /// Does `f` for every task, side by side; returns what it gives, in order.
 pub fn run_all<T: Send, R: Send>(tasks: Vec<T>, f: impl Fn(T) -> R + Sync) -> Vec<R> {
-    let tasks: Vec<_> = tasks.into_iter().map(|task| Once::new(Some(task))).collect();
-    gather(tasks.len(), &|k| tasks[k].swap(None).map(&f)).into_iter().flatten().collect()
+    gather(tasks, &f)
 }
 
 /// Runs `f` on exactly `threads` threads (0: as many as there are cores).

@@ -260,6 +260,6 @@ impl Visit for Running<'_> {
     }
 
     fn body<T: Body>(self, _: &T) -> Self::Out {
-        Err(not_a_surface::<T>("a process on a clock"))
+        Err(not_a_surface(T::KIND, "a process on a clock"))
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod depression;
 pub mod derivative;
+mod disjoint_sets;
 pub mod fast_marching;
 pub mod flow;
 pub mod fourier;

@@ -11,6 +11,8 @@
 
 use std::collections::BTreeMap;
 
+use super::disjoint_sets::DisjointSets;
+
 /// Quadrilaterals on the lattice of voxels' corners.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quads {
@@ -69,10 +71,14 @@ impl Quads {
 /// ```
 pub fn polygonise(size: [usize; 3], is_solid: impl Fn([usize; 3]) -> bool) -> Quads {
     let surface = Surface::new(size, is_solid);
-    let mut corners = Corners { parent: (0..4 * surface.faces.len() as u32).collect() };
+    let mut corners = DisjointSets::new(4 * surface.faces.len());
     for (f, &(voxel, way)) in surface.faces.iter().enumerate() {
         for side in 0..4 {
             let g = surface.across(voxel, way, side);
+            // The way back joins the same corners.
+            if g < f {
+                continue;
+            }
             for corner in [side, (side + 1) % 4] {
                 let at = corner_of(voxel, way, corner);
                 let (to, to_way) = surface.faces[g];
@@ -82,7 +88,7 @@ pub fn polygonise(size: [usize; 3], is_solid: impl Fn([usize; 3]) -> bool) -> Qu
             }
         }
     }
-    let (mut number, mut vertices) = (vec![u32::MAX; corners.parent.len()], Vec::new());
+    let (mut number, mut vertices) = (vec![u32::MAX; 4 * surface.faces.len()], Vec::new());
     let mut vertex = |f: usize, corner: usize| {
         let root = corners.root((4 * f + corner) as u32) as usize;
         if number[root] == u32::MAX {
@@ -217,26 +223,6 @@ impl Surface {
             Some(wall) => self.face(wall, (out.0, !out.1)),
             None => self.face(beside, way),
         }
-    }
-}
-
-/// Corners of faces that are one vertex.
-struct Corners {
-    parent: Vec<u32>,
-}
-
-impl Corners {
-    fn root(&mut self, mut x: u32) -> u32 {
-        while self.parent[x as usize] != x {
-            self.parent[x as usize] = self.parent[self.parent[x as usize] as usize];
-            x = self.parent[x as usize];
-        }
-        x
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b) as usize] = a.min(b);
     }
 }
 

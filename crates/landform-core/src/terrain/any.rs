@@ -85,15 +85,15 @@ pub trait Visit {
 /// That `what` needs a surface with one elevation a node, and a terrain is none.
 ///
 /// ```
-/// use landform_core::terrain::{VoxelGrid, not_a_surface};
+/// use landform_core::terrain::{Kind, not_a_surface};
 ///
-/// let error = not_a_surface::<VoxelGrid>("a picture").to_string();
+/// let error = not_a_surface(Kind::VoxelGrid, "a picture").to_string();
 /// assert!(error.contains("a picture") && error.contains("voxel grid"));
 /// ```
-pub fn not_a_surface<T: Terrain>(what: &str) -> Error {
+pub fn not_a_surface(kind: Kind, what: &str) -> Error {
     Error::Unsupported {
         what: what.into(),
-        on: T::KIND.to_string(),
+        on: kind.to_string(),
         supports: "a height field or a mesh; `uppermost_surface` makes a height field of voxels".into(),
     }
 }

@@ -203,7 +203,6 @@ fn weakening_straightens_the_coast() {
         sum / 4.0
     };
     let lengths = [0.0, 0.05, 0.075, 0.1, 0.15, 0.175].map(length);
-    println!("{lengths:?}");
     // Little weakening first breaks the coast up; more straightens it.
     assert!(lengths[4] <= 0.85 * lengths[0] && lengths[5] <= 0.85 * lengths[0], "{lengths:?}");
     assert!(lengths[1..].windows(2).take(3).all(|w| w[1] < w[0]), "{lengths:?}");
@@ -236,7 +235,6 @@ fn the_forces_of_the_thesis_work_as_printed() {
             ..CoastErosion::default()
         };
         let found = [1, 2].map(|seed| of_square(&params, seed));
-        println!("{force} {damping} {perimeter:?} {found:?}");
         (0.5 * (found[0].0 + found[1].0), 0.5 * (found[0].1 + found[1].1))
     };
     for (force, damping) in [(0.495, 0.18), (0.476, 0.15), (0.46, 0.13), (0.444, 0.11)] {

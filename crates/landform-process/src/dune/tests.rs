@@ -268,7 +268,6 @@ fn kohs_dunes_lie_across_any_wind() {
         let rose = Rose::new("wind", &params.wind).unwrap();
         let field = blown(flat(128, 128), &params, 300, 1);
         let found = measured(&field, &rose);
-        println!("{from} {found:?}");
         assert!(found.crest_to_wind > 75.0 && found.anisotropy > 1.3, "{from} {found:?}");
         let again = blown(flat(128, 128), &params, 300, 1);
         assert_eq!(again.elevation(), field.elevation());

@@ -21,9 +21,7 @@ impl Convert<VoxelGrid, HeightField> for UppermostSurface {
         if source.solids() == 0 {
             return Err(nothing_solid());
         }
-        let top = |node: usize| {
-            source.top(node).map_or(f64::NAN, |level| source.bottom() + (level + 1) as f64 * source.height())
-        };
+        let top = |node: usize| source.top(node).unwrap_or(f64::NAN);
         HeightField::new(source.plan().clone(), (0..source.plan().len()).map(top).collect())
     }
 

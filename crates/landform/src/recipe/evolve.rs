@@ -69,7 +69,7 @@ impl Visit for Evolving<'_, '_> {
     }
 
     fn body<T: Body>(self, _: &T) -> Self::Out {
-        Err(not_a_surface::<T>("a process on a clock"))
+        Err(not_a_surface(T::KIND, "a process on a clock"))
     }
 }
 

@@ -149,7 +149,7 @@ impl Runner<'_> {
         Ok(Ran::ToTheEnd(terrain, current.history))
     }
 
-    /// Outputs what readers of files noted.
+    /// Tells what readers of files noted.
     fn tell_notes(&self) {
         self.recipe.file_notes().into_iter().for_each(|note| self.note(note));
     }

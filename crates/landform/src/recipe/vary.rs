@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use landform_core::analysis::{Hypsometry, SlopeArea, Summary};
 use landform_core::grid::Shape;
-use landform_core::terrain::{AnyTerrain, Body, Surface, Visit, VoxelGrid, not_a_surface};
+use landform_core::terrain::{AnyTerrain, Body, Surface, Visit, not_a_surface};
 use landform_core::verb::{CancelToken, Landscape, Measure, MemoryOutput, Outcome};
 use landform_core::{Error, Result, parallel};
 use landform_io::export::WritePicture;
@@ -152,8 +152,8 @@ impl Sweep {
         let runs = self.runs(own.seed)?;
         let recipes =
             runs.iter().map(|(seed, values)| load(&self.overrides(*seed, values)?)).collect::<Result<Vec<_>>>()?;
-        if own.entries.last().and_then(|entry| entry.kind).is_some_and(|kind| !kind.is_surface()) {
-            return Err(not_a_surface::<VoxelGrid>("the table of a sweep"));
+        if let Some(kind) = own.entries.last().and_then(|entry| entry.kind).filter(|kind| !kind.is_surface()) {
+            return Err(not_a_surface(kind, "the table of a sweep"));
         }
         let mut bytes = 0;
         for recipe in &recipes {
@@ -237,7 +237,7 @@ impl Visit for Summing {
     }
 
     fn body<T: Body>(self, _: &T) -> Self::Out {
-        Err(not_a_surface::<T>("the table of a sweep"))
+        Err(not_a_surface(T::KIND, "the table of a sweep"))
     }
 }
 

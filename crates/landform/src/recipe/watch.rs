@@ -285,7 +285,7 @@ pub(super) fn draw(terrain: &AnyTerrain, picture: &WritePicture) -> Result<Pictu
         }
 
         fn body<T: Body>(self, _: &T) -> Self::Out {
-            Err(not_a_surface::<T>("a picture"))
+            Err(not_a_surface(T::KIND, "a picture"))
         }
     }
     terrain.visit(Drawing(picture))

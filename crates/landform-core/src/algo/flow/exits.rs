@@ -17,6 +17,7 @@ use std::ops::Range;
 use super::labels::OUTSIDE;
 use super::passes::{Pass, find_passes};
 use super::strips::split;
+use crate::algo::disjoint_sets::DisjointSets;
 use crate::grid::{Domain, NO_SLOT};
 use crate::parallel;
 
@@ -209,8 +210,8 @@ impl<D: Domain> Basins<'_, D> {
 
 /// Trees of basins that grow together.
 struct Forest {
-    /// Towards the root of each basin's tree.
-    parent: Vec<u32>,
+    /// Basins of each tree.
+    sets: DisjointSets,
     /// The lowest pass of each root: height and place in the list.
     lowest: Vec<(f64, u32)>,
     /// Roots that may have passes left.
@@ -220,16 +221,11 @@ struct Forest {
 impl Forest {
     /// Each basin is a tree.
     fn new(basins: usize) -> Self {
-        let roots: Vec<u32> = (0..basins as u32).collect();
-        Self { parent: roots.clone(), lowest: vec![NONE; basins], roots }
+        Self { sets: DisjointSets::new(basins), lowest: vec![NONE; basins], roots: (0..basins as u32).collect() }
     }
 
-    fn root(&mut self, mut x: u32) -> u32 {
-        while self.parent[x as usize] != x {
-            self.parent[x as usize] = self.parent[self.parent[x as usize] as usize];
-            x = self.parent[x as usize];
-        }
-        x
+    fn root(&mut self, x: u32) -> u32 {
+        self.sets.root(x)
     }
 
     /// Rounds in which each tree whose root `takes` joins another by its lowest pass: `join(pass, its side of it)`. Leaves the
@@ -238,7 +234,7 @@ impl Forest {
         loop {
             self.find_lowest(passes);
             let before = self.roots.len();
-            let Self { parent, lowest, roots } = self;
+            let Self { sets, lowest, roots } = self;
             roots.retain(|&root| {
                 let (_, k) = lowest[root as usize];
                 if k == u32::MAX || !takes(root) {
@@ -252,7 +248,7 @@ impl Forest {
                     return true;
                 }
                 join(pass, side);
-                parent[root as usize] = other;
+                sets.put_under(root, other);
                 false
             });
             if roots.len() == before {

@@ -1,7 +1,7 @@
 //! How drainage areas and stream lengths are distributed: the exponents of river networks.
 //!
 //! # Method
-//! Axis all nodes, by tenths of a decade. β from P(A ≥ a) ~ a^−β between 8 nodes and a twelfth (or a hundredth) of the greatest
+//! Over all nodes, by tenths of a decade. β from P(A ≥ a) ~ a^−β between 8 nodes and a twelfth (or a hundredth) of the greatest
 //! area; h from bin means of log L against log A between 20 nodes and half of the greatest area (Hack's law), bins with at least
 //! 10 nodes; ψ from P(L ≥ l) ~ l^−ψ between 5 node distances and a quarter of the greatest length. L is the longest way upstream.
 //!

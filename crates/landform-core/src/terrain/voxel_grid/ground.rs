@@ -30,8 +30,7 @@ impl Ground for VoxelGrid {
     fn height_at(&self, [x, y]: [f64; 2]) -> Option<f64> {
         let [col, row, _] = self.lattice([x, y, 0.0]).map(|v| v.floor() as i64);
         self.is_solid([col, row, 0])?;
-        let top = self.top(self.plan.shape.index(row as usize, col as usize))?;
-        Some(self.bottom + (top + 1) as f64 * self.height)
+        self.top(self.plan.shape.index(row as usize, col as usize))
     }
 
     fn resolution(&self) -> f64 {

@@ -110,9 +110,10 @@ impl VoxelGrid {
         parallel::map_pieces(self.voxels.len(), |r| self.voxels[r].iter().filter(|v| **v != EMPTY).count()).iter().sum()
     }
 
-    /// The uppermost level of a column that is not empty.
-    pub fn top(&self, node: usize) -> Option<usize> {
-        (0..self.levels).rev().find(|&level| self.material(level, node).is_some())
+    /// Elevation of the upper face of the uppermost voxel of a column that is not empty, m.
+    pub fn top(&self, node: usize) -> Option<f64> {
+        let level = (0..self.levels).rev().find(|&level| self.material(level, node).is_some())?;
+        Some(self.bottom + (level + 1) as f64 * self.height)
     }
 
     /// The middle of a voxel, m.
