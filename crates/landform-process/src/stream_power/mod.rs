@@ -83,10 +83,10 @@ mod yuan_2019;
 
 use std::sync::Arc;
 
-use landform_core::algo::flow::{Flow, node_areas};
+use landform_core::algo::flow::Flow;
 use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
-use landform_core::grid::{Domain, Status};
+use landform_core::grid::{Domain, NO_SLOT, Status};
 use landform_core::terrain::{HeightField, Layer, Layers, Mesh, NodeSurface};
 use landform_core::units::{MYR, YEAR};
 use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step, Varying};
@@ -126,25 +126,16 @@ pub struct State<D> {
 struct Scratch<D> {
     domain: Option<Arc<D>>,
     flow: Flow,
-    /// Area per node times relative rainfall.
-    weight: Vec<f64>,
-    /// Accumulated weight.
+    /// Drainage area, weighted by rainfall, until the step; then what nodes were lowered by, m.
     amount: Vec<f64>,
     sediment: Sediment,
-    /// Rate of lowering in the last step, m/s.
-    erosion: Vec<f64>,
+    /// The last step, s; none before the first.
+    dt: Option<f64>,
 }
 
 impl<D> Default for Scratch<D> {
     fn default() -> Self {
-        Self {
-            domain: None,
-            flow: Flow::new(),
-            weight: Vec::new(),
-            amount: Vec::new(),
-            sediment: Sediment::default(),
-            erosion: Vec::new(),
-        }
+        Self { domain: None, flow: Flow::new(), amount: Vec::new(), sediment: Sediment::default(), dt: None }
     }
 }
 
@@ -155,10 +146,6 @@ impl<D: Domain> State<D> {
         }
         let domain = terrain.domain();
         self.scratch.flow = Flow::by(params.descent);
-        self.scratch.weight = node_areas(&*domain);
-        if let Some(rain) = &self.rain {
-            parallel::update(&mut self.scratch.weight, |i, w| *w *= rain[i]);
-        }
         self.scratch.domain = Some(domain.clone());
         domain
     }
@@ -230,11 +217,16 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         }
         let rainfall = self.rainfall.as_ref().or(at.environment.rainfall.as_ref());
         state.rain_now = rainfall.and_then(|rain| rain.in_time(at.time, at.time + at.dt));
-        let share = state.rain_now.map(|rain| (rain / REFERENCE_RAIN).max(0.0));
-        let Scratch { flow, weight, amount, .. } = &mut state.scratch;
-        let rained = |amount: &mut Vec<f64>| {
-            amount.clone_from(weight);
-            share.iter().for_each(|share| parallel::update(amount, |_, a| *a *= share));
+        let share = state.rain_now.map_or(1.0, |rain| (rain / REFERENCE_RAIN).max(0.0));
+        let Scratch { flow, amount, .. } = &mut state.scratch;
+        amount.resize(terrain.elevation().len(), 0.0);
+        let (rain, status) = (&state.rain, domain.status());
+        let rained = |amount: &mut [f64]| {
+            parallel::fill(amount, |i| match rain {
+                _ if status[i] == Status::Masked => 0.0,
+                Some(rain) => domain.area(i) * rain[i] * share,
+                None => domain.area(i) * share,
+            });
         };
         rained(amount);
         flow.route(&*domain, terrain.elevation(), amount);
@@ -255,7 +247,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         if let Some(now) = self.erodibility.as_ref().and_then(|k| k.in_time(at.time, at.time + at.dt)) {
             state.erodibility = Resolved::Uniform(now);
         }
-        let Scratch { flow, amount, sediment, erosion, .. } = &mut state.scratch;
+        let Scratch { flow, amount, sediment, dt, .. } = &mut state.scratch;
+        *dt = Some(at.dt);
         let floor = if self.ends_in_sea() { state.sea_level } else { f64::NEG_INFINITY };
         let law = self.law(floor, at.dt, terrain.layers().is_some());
         let (base, erodibility) = (&state.base, &state.erodibility);
@@ -263,8 +256,6 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         // Layers are read while elevations are found, and follow afterwards; without layers elevations change in place.
         let mut work = |z: &mut [f64], layers: Option<&Layers>| {
             let mut change = hold_base_level(z, &*domain, base, risen);
-            erosion.clear();
-            erosion.extend_from_slice(z);
             let rock = Rock { erodibility, layers, by_material };
             if self.deposition > 0.0 {
                 change = change.plus(sediment.sweep(&*domain, flow, &law, &rock, amount, z));
@@ -274,8 +265,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
                     None => sweep(&*domain, flow, &law, &rock, amount, z),
                 }
             }
-            let lowered = rates(&*domain, erosion, z, at.dt);
             if self.deposition == 0.0 {
+                let lowered = lowered(&*domain, flow, amount);
                 change.eroded += lowered;
                 change.exported += lowered;
             }
@@ -308,9 +299,11 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             let all = vec![rain; terrain.elevation().len()];
             terrain.fields_mut().insert(&names::RAINFALL, all)?;
         }
-        let erosion = std::mem::take(&mut state.scratch.erosion);
-        if !erosion.is_empty() {
-            terrain.fields_mut().insert(&names::EROSION_RATE, erosion)?;
+        if let Some(dt) = state.scratch.dt {
+            let (lowered, status) = (&state.scratch.amount, domain.status());
+            let rate = |i: usize| if status[i] == Status::Masked { f64::NAN } else { lowered[i] / dt };
+            let rates = parallel::map(lowered.len(), rate);
+            terrain.fields_mut().insert(&names::EROSION_RATE, rates)?;
         }
         Ok(())
     }
@@ -365,16 +358,14 @@ fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f6
     Ok(Some(relative))
 }
 
-/// Turns elevations before the step into rates of lowering, m/s; returns the volume lowered, m³.
-fn rates<D: Domain>(domain: &D, before: &mut [f64], after: &[f64], dt: f64) -> f64 {
-    let pieces = parallel::map_pieces_mut([before], parallel::PIECE, |first, [piece]| {
+/// The volume that was worn off, m³; `by` is what nodes were lowered by, m, which nodes without a receiver were not.
+fn lowered<D: Domain>(domain: &D, flow: &Flow, by: &mut [f64]) -> f64 {
+    let slots = flow.slots();
+    let pieces = parallel::map_pieces_mut([by], parallel::PIECE, |first, [piece]| {
         let mut volume = 0.0;
-        for (k, rate) in piece.iter_mut().enumerate() {
-            let lowered = *rate - after[first + k];
-            *rate = lowered / dt;
-            if lowered != 0.0 && !lowered.is_nan() {
-                volume += lowered * domain.area(first + k);
-            }
+        for (k, by) in piece.iter_mut().enumerate() {
+            *by = if slots[first + k] == NO_SLOT { 0.0 } else { *by };
+            volume += *by * domain.area(first + k);
         }
         volume
     });

@@ -99,18 +99,21 @@ pub(super) fn sweep_layers<D: Domain>(
     law: &Law,
     rock: &Rock,
     layers: &Layers,
-    area: &[f64],
+    area: &mut [f64],
     z: &mut [f64],
 ) {
     let slots = flow.slots();
-    flow.up(z, |i, old, below| {
+    flow.up_with(z, area, |i, old, below, area| {
         let base = below.max(law.sea_level);
+        let through = std::mem::take(area);
         if !(old > base) {
             return old;
         }
         let length = domain.distance(i, slots[i]);
-        let worn = rock.worn(law, layers, i, old, base, (area[i], length));
-        base + law.standing(worn, rock.stable_drop(law, i, old, base, length), length).0
+        let worn = rock.worn(law, layers, i, old, base, (through, length));
+        let new = base + law.standing(worn, rock.stable_drop(law, i, old, base, length), length).0;
+        *area = old - new;
+        new
     });
 }
 
@@ -165,9 +168,9 @@ mod tests {
         let k = Resolved::Uniform(layers.surface(0, 0.0).erodibility);
         let plain = Rock { erodibility: &k, layers: None, by_material: false };
         let mut z = ground.elevation().to_vec();
-        super::super::braun_willett_2013::sweep(&*domain, &flow, &law, &plain, &area, &mut z);
+        super::super::braun_willett_2013::sweep(&*domain, &flow, &law, &plain, &mut area.clone(), &mut z);
         let beds = Rock { layers: Some(&layers), by_material: true, ..plain };
-        ground.change(Layer::Bedrock, |new| sweep_layers(&*domain, &flow, &law, &beds, &layers, &area, new));
+        ground.change(Layer::Bedrock, |new| sweep_layers(&*domain, &flow, &law, &beds, &layers, &mut area, new));
         for (a, b) in z.iter().zip(ground.elevation()) {
             assert!((a - b).abs() < 1e-9, "{a} {b}");
         }

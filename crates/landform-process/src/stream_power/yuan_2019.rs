@@ -79,14 +79,14 @@ struct Node {
 const EMPTY: Node = Node { lowering: 0.0, drop: 0.0, at: 1.0, level: 0.0, limit: 0.0, regime: Regime::Lake };
 
 impl Sediment {
-    /// Erodes and deposits over `z`; `area` is drainage area.
+    /// Erodes and deposits over `z`. `area` is drainage area, and becomes what nodes were lowered by, m.
     pub(super) fn sweep<D: Domain>(
         &mut self,
         domain: &D,
         flow: &Flow,
         law: &Law,
         rock: &Rock,
-        area: &[f64],
+        area: &mut [f64],
         z: &mut [f64],
     ) -> Change {
         self.strength.resize(z.len(), [0.0; 2]);
@@ -108,6 +108,8 @@ impl Sediment {
             }
         }
         self.strength = strength;
+        let nodes = &self.nodes;
+        parallel::fill(area, |i| nodes[i].lowering);
         self.settle(domain, z)
     }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::strips::split;
+use super::strips::{fetch, split};
 use crate::parallel;
 
 /// The label of all nodes that drain to a base level.
@@ -33,6 +33,7 @@ pub(super) fn label_basins(receiver: &[u32], pits: &[usize], cuts: &[Range<usize
 fn label_strip(receiver: &[u32], pits: &[usize], strip: &Range<usize>, label: &mut [u32]) -> Vec<u32> {
     let first = strip.start;
     label.fill(UNKNOWN);
+    fetch(&receiver[strip.clone()]);
     let from = pits.partition_point(|&p| p < first);
     for (k, &pit) in pits.iter().enumerate().skip(from).take_while(|p| *p.1 < strip.end) {
         label[pit - first] = k as u32 + 1;

@@ -12,7 +12,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-use super::strips::{Strips, split};
+use super::strips::{Strips, fetch, split};
 use crate::parallel;
 
 const DONE: u8 = u8::MAX;
@@ -99,6 +99,8 @@ fn scan(
     amount: &mut [f64],
 ) -> (usize, Vec<Inflow>) {
     let (mut placed, mut inflows) = (0, Vec::new());
+    fetch(receiver);
+    fetch(amount);
     for from in 0..receiver.len() {
         let mut at = from;
         while donors[at] == 0 {

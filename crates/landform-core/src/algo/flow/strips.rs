@@ -36,6 +36,12 @@ pub(super) fn split<'a, T>(mut values: &'a mut [T], strips: &[Range<usize>]) -> 
     parts
 }
 
+/// Brings a strip's values near in one sweep. Flow visits them in an order that no processor foresees, and would wait for each.
+pub(super) fn fetch<T: Copy>(values: &[T]) {
+    let line = (64 / size_of::<T>().max(1)).max(1);
+    values.iter().step_by(line).for_each(|v| _ = std::hint::black_box(*v));
+}
+
 /// Receivers of a strip's nodes, and their slots.
 pub(super) struct Receivers<'a> {
     pub(super) strip: Range<usize>,
@@ -75,26 +81,41 @@ impl Flow {
     /// Finds values from the outlets upwards: `value(node, its own, its receiver's new one)` becomes the node's; nodes without a
     /// receiver keep theirs. **Cost** O(n), strips side by side.
     pub fn up<T: Copy + Send + Sync>(&self, values: &mut [T], value: impl Fn(usize, T, T) -> T + Sync) {
-        self.climb(&self.order[self.strips.rest()..], 0, values, (&[], &[]), &value);
+        let mut nothing = vec![(); values.len()];
+        self.up_with(values, &mut nothing, |node, own, below, ()| value(node, own, below));
+    }
+
+    /// As [`Flow::up`], with a second value of each node that is at hand where its first is found, and may change there:
+    /// `value(node, its own, its receiver's new one, its second)`. Memory that is used twice is fetched once.
+    pub fn up_with<T: Copy + Send + Sync, U: Copy + Send>(
+        &self,
+        values: &mut [T],
+        seconds: &mut [U],
+        value: impl Fn(usize, T, T, &mut U) -> T + Sync,
+    ) {
+        self.climb(&self.order[self.strips.rest()..], 0, (values, seconds), (&[], &[]), &value);
         // What strips need of each other lies downstream of seams, and is found by now.
         let beyond = |nodes: &Vec<u32>| nodes.iter().map(|&i| values[self.receiver[i as usize] as usize]).collect();
         let beyond: Vec<Vec<T>> = self.strips.leaving.iter().map(beyond).collect();
-        let parts = split(values, &self.strips.nodes).into_iter().enumerate().collect();
-        parallel::run_all(parts, |(k, part): (usize, &mut [T])| {
+        let parts = split(values, &self.strips.nodes).into_iter().zip(split(seconds, &self.strips.nodes)).enumerate();
+        parallel::run_all(parts.collect(), |(k, part): (usize, (&mut [T], &mut [U]))| {
             let Strips { nodes, own, leaving } = &self.strips;
+            fetch(&self.receiver[nodes[k].clone()]);
+            fetch(part.0);
+            fetch(part.1);
             self.climb(&self.order[own[k].clone()], nodes[k].start, part, (&leaving[k], &beyond[k]), &value);
         });
     }
 
-    /// Finds the values of nodes, the last of the order first; `part` holds those of the nodes from `first` on, `beyond` what
-    /// receivers outside of it have, by donor. One place that calls `value`, so that it becomes part of the loop.
-    fn climb<T: Copy>(
+    /// Finds the values of nodes, the last of the order first; `part` and `seconds` hold those of the nodes from `first` on,
+    /// `beyond` what receivers outside of it have, by donor. One place that calls `value`, so that it becomes part of the loop.
+    fn climb<T: Copy, U: Copy>(
         &self,
         order: &[u32],
         first: usize,
-        part: &mut [T],
+        (part, seconds): (&mut [T], &mut [U]),
         beyond: (&[u32], &[T]),
-        value: &impl Fn(usize, T, T) -> T,
+        value: &impl Fn(usize, T, T, &mut U) -> T,
     ) {
         for &node in order.iter().rev() {
             let i = node as usize;
@@ -106,7 +127,7 @@ impl Flow {
                 Some(below) => *below,
                 None => beyond.0.binary_search(&node).map_or(part[i - first], |at| beyond.1[at]),
             };
-            part[i - first] = value(i, part[i - first], below);
+            part[i - first] = value(i, part[i - first], below, &mut seconds[i - first]);
         }
     }
 
@@ -122,6 +143,8 @@ impl Flow {
         let parts = split(values, &self.strips.nodes).into_iter().enumerate().collect();
         parallel::run_all(parts, |(k, part): (usize, &mut [T])| {
             let first = self.strips.nodes[k].start;
+            fetch(&self.receiver[self.strips.nodes[k].clone()]);
+            fetch(part);
             for &node in &self.order[self.strips.own[k].clone()] {
                 let i = node as usize;
                 let mut sum = part[i - first];
