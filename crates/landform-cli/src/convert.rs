@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use landform::core::terrain::NodeSurface;
 use landform::io::files::write_whole;
 use landform::io::format::{
-    DataType, RasterFile, Reading, mesh_file_from_height_field, mesh_format, raster_format_to_write, read_raster,
-    sidecar_path,
+    DataType, RasterFile, Reading, blurred, mesh_file_from_height_field, mesh_format, raster_format_to_write,
+    read_raster, sidecar_path,
 };
 
 use crate::show_error::Failure;
@@ -31,18 +31,20 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     for note in &notes {
         say!("note: {note}");
     }
+    let as_read = RasterFile::real(terrain.grid(), terrain.elevation(), "elevation", "m", 0);
+    if let Some(note) = blurred(&args.output.display().to_string(), &as_read) {
+        say!("note: {note}");
+    }
     if let Ok(format) = mesh {
         let file = mesh_file_from_height_field(&terrain);
         if file.triangles.is_empty() {
-            return Err(
-                landform::core::Error::Empty { what: "the surface: it is nowhere two nodes wide".into() }.into()
-            );
+            return Err(landform::core::Error::NoFace { what: "the surface" }.into());
         }
         write_whole(&args.output, &(format.write)(&file)?)?;
     } else {
         let format = raster?;
-        let mut file = RasterFile::real(terrain.grid(), terrain.elevation(), "elevation", "m", 0);
-        if file.needs_float64() {
+        let mut file = as_read;
+        if file.needs_float64(1e-6) {
             file.geotiff.data_type = DataType::Float64;
         }
         write_whole(&args.output, &(format.write)(&file)?)?;

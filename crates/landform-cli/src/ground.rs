@@ -50,8 +50,10 @@ pub(crate) fn load(path: &Path, scale: &Scale) -> Result<Ground> {
         square.origin = [0.0, square.extent()[1]];
         field.set_grid(square)?;
         notes.retain(|note| note != UNPLACED);
-    } else if in_degrees(&field) {
-        let error = metres_from_degrees(&mut field)?;
+    } else if in_degrees(&grid) {
+        let mut in_metres = grid.clone();
+        let error = metres_from_degrees(&mut in_metres)?;
+        field.set_grid(in_metres)?;
         let [dx, dy] = field.grid().spacing;
         notes.push(format!(
             "degrees taken as metres at the middle latitude: cells of {dx:.2} x {dy:.2} m, at most {:.2} % wrong at the sides",
@@ -63,7 +65,7 @@ pub(crate) fn load(path: &Path, scale: &Scale) -> Result<Ground> {
             notes.push(format!("brought to square cells of {side:.2} m, as those that the natural ranges were measured on (slopes fall by 1 to 4 %)"));
         }
     }
-    if let Some(stretch) = mercator_stretch(&field).filter(|s| *s > MOST_STRETCH) {
+    if let Some(stretch) = mercator_stretch(field.grid()).filter(|s| *s > MOST_STRETCH) {
         notes.push(format!("it is in EPSG:3857, {}; warp it to UTM first", stretch_text(stretch)));
     }
     if let Some(text) = &scale.relief {

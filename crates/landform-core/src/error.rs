@@ -98,6 +98,12 @@ pub enum Error {
         /// What is empty.
         what: String,
     },
+    /// A surface has no face.
+    #[error("{what} is nowhere two nodes wide: a mesh of it has no face")]
+    NoFace {
+        /// What it is a surface of.
+        what: &'static str,
+    },
     /// A file's content is not valid.
     #[error("not a readable {format} file: {what}")]
     Format {
@@ -195,6 +201,9 @@ impl Error {
             Self::NonFinite { .. } => Some("a rate is too great for the time step; try a smaller `clock.dt`".into()),
             Self::NotConverged { .. } => Some("try a smaller `clock.dt`".into()),
             Self::Empty { .. } => Some("check the file's nodata value".into()),
+            Self::NoFace { .. } => {
+                Some("a mesh needs two rows and two columns with data side by side; a raster keeps single ones".into())
+            }
             Self::Memory { .. } => Some("ask for fewer nodes or larger cells, or go on regardless with --force".into()),
             Self::Io { source, action, .. } => match (source.kind(), *action) {
                 (std::io::ErrorKind::NotFound, "read") => {

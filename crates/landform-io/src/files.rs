@@ -90,6 +90,7 @@ pub struct Folder {
     may_leave: bool,
     /// Folders in which nothing unfinished is left.
     swept: BTreeSet<PathBuf>,
+    notes: Vec<String>,
 }
 
 impl Folder {
@@ -105,7 +106,8 @@ impl Folder {
             .and_then(|()| fs::remove_file(&probe))
             .map_err(|e| Error::io("write in folder", root, e))?;
         sweep(root);
-        Ok(Self { root: root.into(), written: Vec::new(), may_leave: false, swept: BTreeSet::from([root.into()]) })
+        let swept = BTreeSet::from([root.into()]);
+        Ok(Self { root: root.into(), written: Vec::new(), may_leave: false, swept, notes: Vec::new() })
     }
 
     /// Whether paths may lead out of the folder: by `..`, absolute, or over a link.
@@ -157,6 +159,14 @@ impl Output for Folder {
         write_whole(&target, bytes)?;
         self.written.push(target);
         Ok(())
+    }
+
+    fn note(&mut self, text: String) {
+        self.notes.push(text);
+    }
+
+    fn take_notes(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notes)
     }
 }
 

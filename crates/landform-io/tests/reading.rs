@@ -8,7 +8,8 @@ use landform_core::grid::{GeoKeys, Georeference, Grid, Registration, Shape};
 use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_io::format::{
-    Compression, DataType, GeotiffOptions, RasterFile, Reading, Sidecar, raster_format, read_raster, sidecar_path,
+    Compression, DataType, GeotiffOptions, RasterFile, Reading, Sidecar, raster_format, read_grid, read_raster,
+    sidecar_path,
 };
 
 /// A folder that goes when it is no longer needed.
@@ -429,6 +430,54 @@ fn ascii_grids_are_read_in_their_variants() {
     let lowest = format!("{head}cellsize 10\nNODATA_value -3.402823e+38\n1 -3.40282346638528859e+38 3\n4 1.5D+01 6\n");
     let found = folder.read("d.asc", lowest);
     assert_eq!((found.field.nodata_count(), found.field.elevation()[4]), (1, 15.0));
+    // Decimal commas, lines of Windows, rows that go on over lines.
+    let wrapped =
+        "NCOLS 3\r\nNROWS 2\r\nXLLCENTER 0,5\r\nYLLCENTER 0,5\r\nCELLSIZE 1\r\n1,5 2\r\n3,25 4\r\n5\r\n6,25\r\n";
+    let found = folder.read("e.asc", wrapped);
+    assert_eq!(found.field.elevation(), [1.5, 2.0, 3.25, 4.0, 5.0, 6.25]);
+    assert_eq!(found.field.grid().origin, [0.5, 1.5]);
+}
+
+#[test]
+fn nodata_may_be_the_word_nan() {
+    let folder = Folder::new("nan");
+    let numbers: Vec<u8> =
+        (0..12).map(|i| if i == 5 { f32::NAN } else { i as f32 }).flat_map(f32::to_le_bytes).collect();
+    for word in ["nan", "NaN", "nan\0"] {
+        let found =
+            folder.read("a.tif", Tiff::new(32, 3, 1, vec![numbers.clone()]).with(42_113, Value::Text(word)).bytes());
+        assert_eq!((found.field.nodata_count(), found.field.elevation()[11]), (1, 11.0), "{word}");
+    }
+}
+
+#[test]
+fn a_grid_is_known_without_the_samples() {
+    let folder = Folder::new("grids");
+    let degrees = Georeference { epsg: Some(4326), geographic: true, ..Georeference::default() };
+    let mut in_degrees = field(degrees.clone(), true);
+    in_degrees.set_grid(Grid { spacing: [0.001, 0.002], origin: [10.0, 45.0], ..in_degrees.grid().clone() }).unwrap();
+    for (name, source) in [
+        ("a.tif", field(utm(), true)),
+        ("b.tif", in_degrees.clone()),
+        ("c.asc", field(utm(), true)),
+        ("d.npy", in_degrees),
+    ] {
+        let path = save(&folder, name, &source);
+        assert_eq!(read_grid(&path).unwrap().unwrap(), *read_raster(&path).unwrap().field.grid(), "{name}");
+    }
+    folder.put("e.tfw", "30\n0\n0\n-30\n500015\n4199985\n");
+    let path = folder.put("e.tif", bare());
+    assert_eq!(read_grid(&path).unwrap().unwrap().origin, [500_015.0, 4_199_985.0]);
+    let keyed = keyed(&[[3072, 0, 1, 32_611], [4096, 0, 1, 8228]]).bytes();
+    let path = folder.put("f.tif", keyed);
+    assert_eq!(read_grid(&path).unwrap().unwrap(), *read_raster(&path).unwrap().field.grid());
+    let path = save(&folder, "g.png", &field(utm(), false));
+    assert!(read_grid(&path).unwrap().is_none(), "pictures are read to be known");
+    // A header alone is enough, and one that lies is found out.
+    let path = folder.put("h.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 x\n");
+    assert!(read_grid(&path).is_ok() && read_raster(&path).is_err());
+    let path = folder.put("i.asc", "ncols 2000\nnrows 1000\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n");
+    assert!(read_grid(&path).unwrap_err().to_string().contains("2000 x 1000"));
 }
 
 #[test]
@@ -507,6 +556,11 @@ fn arrays_of_every_plain_type_are_read() {
     let text = folder.refusal("c.npy", npy("<f4", "(2, 2, 2)", &[0; 32]));
     assert!(text.contains("3 dimensions") && text.contains("array[0]"), "{text}");
     assert!(folder.refusal("d.npy", npy("<f2", "(1, 3)", &[0; 4])).contains("truncated"));
+    let data: Vec<u8> = [1.0_f32, 4.0, 2.0, 5.0, 3.0, 6.0].into_iter().flat_map(f32::to_be_bytes).collect();
+    let mut bytes = npy(">f4", "(2, 3)", &data);
+    let at = bytes.windows(5).position(|w| w == b"False").unwrap();
+    bytes[at..at + 5].copy_from_slice(b"True ");
+    assert_eq!(folder.read("e.npy", bytes).field.elevation(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
 }
 
 #[test]
@@ -518,13 +572,13 @@ fn float64_is_kept_where_float32_would_blur() {
     let source = HeightField::new(grid, z).unwrap();
     for name in ["a.tif", "a.npy", "a.asc"] {
         let mut file = RasterFile::real(source.grid(), source.elevation(), "elevation", "m", 1);
-        assert!(file.needs_float64());
+        assert!(file.needs_float64(1e-6));
         file.geotiff.data_type = DataType::Float64;
         let found = folder.read(name, (raster_format(Path::new(name)).unwrap().write)(&file).unwrap());
         assert_eq!(found.field.elevation(), source.elevation(), "{name}");
     }
     let plain = field(utm(), true);
-    assert!(!RasterFile::real(plain.grid(), plain.elevation(), "elevation", "m", 1).needs_float64());
+    assert!(!RasterFile::real(plain.grid(), plain.elevation(), "elevation", "m", 1).needs_float64(1e-6));
 }
 
 #[test]
@@ -579,6 +633,10 @@ fn channels_of_heights_are_found_by_name() {
     assert!(noted(&found, "channel height of A, height is taken"));
     let parts = vec![layer("mask", &[("A", 1.0)]), layer("ground", &[("Y", 100.0)])];
     assert_eq!(folder.read("b.exr", write(parts)).field.elevation(), [100.0, 101.0]);
+    let halves = AnyChannel::new("Y", FlatSamples::F16(vec![f16::from_f32(100.0), f16::from_f32(145.5)]));
+    let channels = AnyChannels::sort([halves].into_iter().collect());
+    let half = Layer::new((2, 1), LayerAttributes::named("h"), Encoding::UNCOMPRESSED, channels);
+    assert_eq!(folder.read("e.exr", write(vec![half])).field.elevation(), [100.0, 145.5]);
     let text = folder.refusal("c.exr", write(vec![layer("x", &[("A", 1.0)])]));
     assert!(text.contains("no channel of heights"), "{text}");
     let found = folder.read("d.exr", write(vec![layer("x", &[("A", 0.0), ("Y", 100.0)])]));

@@ -80,7 +80,7 @@ impl Landscape {
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let Reading { mut field, notes } = read_raster(path)?;
-        if in_degrees(&field) {
+        if in_degrees(field.grid()) {
             let value = format!("\"{}\", which is in degrees of longitude and latitude", path.display());
             return Err(Error::parameter("path", value, "metres; warp it to UTM first"));
         }

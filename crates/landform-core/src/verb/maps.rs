@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::grid::Grid;
 use crate::terrain::HeightField;
 use crate::{Error, Result, math};
 
@@ -30,6 +31,14 @@ pub trait Maps: Send + Sync {
     /// # Errors
     /// [`Error::Io`] if the file cannot be read, [`Error::Format`] if its content is not valid.
     fn raster(&self, path: &Path) -> Result<Arc<HeightField>>;
+
+    /// The grid of a georeferenced raster, without its samples where the format allows it.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if the file cannot be read, [`Error::Format`] if what it says of itself is not valid.
+    fn grid(&self, path: &Path) -> Result<Grid> {
+        self.raster(path).map(|raster| raster.grid().clone())
+    }
 }
 
 /// No maps at all.

@@ -12,6 +12,14 @@ pub trait Output {
     /// # Errors
     /// [`Error::Io`] if the file cannot be written, [`Error::Parameter`] if the path leads out of the place.
     fn put(&mut self, path: &str, bytes: &[u8]) -> Result<()>;
+
+    /// Takes note of what a file that was put does not hold of the landscape; a place without notes drops it.
+    fn note(&mut self, _text: String) {}
+
+    /// The notes since the last call.
+    fn take_notes(&mut self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Files in memory.

@@ -505,7 +505,8 @@ mod tests {
     use crate::grid::{Grid, Shape};
     use crate::terrain::HeightField;
     use crate::units::RateDimension;
-    use crate::verb::Context;
+    use crate::verb::{Context, Image, NoMaps};
+    use std::sync::Arc;
 
     type Rate = Varying<RateDimension>;
 
@@ -546,6 +547,36 @@ mod tests {
             let error = read(json).unwrap_err();
             assert!(error.contains(message), "{json}: {error}");
         }
+    }
+
+    #[test]
+    fn the_outermost_pixels_hold_to_their_edges() {
+        struct OneMap(HeightField);
+        impl Maps for OneMap {
+            fn image(&self, path: &Path) -> Result<Image> {
+                NoMaps.image(path)
+            }
+            fn raster(&self, _: &Path) -> Result<Arc<HeightField>> {
+                Ok(Arc::new(self.0.clone()))
+            }
+        }
+        // Four cells of 120 m over the very area of 16 x 16 nodes of 30 m.
+        let mut terrain = Grid::new(Shape::new(16, 16), [30.0, 30.0]).unwrap();
+        (terrain.origin, terrain.georeference.registration) = ([15.0, 465.0], Registration::Area);
+        let mut coarse = Grid::new(Shape::new(4, 4), [120.0, 120.0]).unwrap();
+        (coarse.origin, coarse.georeference.registration) = ([60.0, 420.0], Registration::Area);
+        let terrain = HeightField::new(terrain, vec![0.0; 256]).unwrap();
+        let map = |grid: &Grid| OneMap(HeightField::new(grid.clone(), (0..16).map(f64::from).collect()).unwrap());
+        let rate = read(r#"{"raster":"a.tif","unit":"mm/yr"}"#).unwrap();
+        let maps = map(&coarse);
+        let values = rate.resolve("rate", &terrain, &Context { maps: &maps, ..Context::default() }).unwrap();
+        let [first, last] = [0, 255].map(|i| values.at(i) / crate::units::MM_PER_YEAR);
+        assert!(first.abs() < 1e-9 && (last - 15.0).abs() < 1e-9, "{first} {last}");
+        // Points have no edges.
+        coarse.georeference.registration = Registration::Point;
+        let maps = map(&coarse);
+        let error = rate.resolve("rate", &terrain, &Context { maps: &maps, ..Context::default() }).unwrap_err();
+        assert!(error.to_string().contains("not a number"), "{error}");
     }
 
     #[test]

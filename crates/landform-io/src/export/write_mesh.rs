@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use landform_core::terrain::{HeightField, Mesh, VoxelGrid, nothing_solid};
+use landform_core::terrain::{HeightField, Mesh, NodeSurface, VoxelGrid, nothing_solid};
 use landform_core::units::Length;
 use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
@@ -10,7 +10,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::{
-    MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels, mesh_file_of_water, mesh_format,
+    MeshFile, RasterFile, blurred, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels,
+    mesh_file_of_water, mesh_format,
 };
 
 /// Surface that is written.
@@ -86,7 +87,7 @@ impl WriteMesh {
 
     fn write(&self, mesh: MeshFile, out: &mut dyn Output) -> Result<()> {
         if mesh.triangles.is_empty() {
-            return Err(Error::Empty { what: "the surface: it is nowhere two nodes wide".into() });
+            return Err(Error::NoFace { what: "the surface" });
         }
         let mesh = match self.solid_base {
             Some(thickness) => mesh.solid(thickness.si()),
@@ -126,6 +127,11 @@ impl Export<VoxelGrid> for WriteMesh {
 impl Export<HeightField> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
         self.check_surface()?;
+        let terrain = landscape.terrain;
+        let heights = RasterFile::real(terrain.grid(), terrain.elevation(), "elevation", "m", 0);
+        if let Some(note) = blurred(&self.path, &heights) {
+            out.note(note);
+        }
         self.write(
             match self.surface {
                 MeshSurface::Ground => mesh_file_from_height_field(landscape.terrain),

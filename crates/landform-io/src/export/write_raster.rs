@@ -10,7 +10,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::{
-    Compression, DataType, GeotiffOptions, RasterFile, Samples, raster_format, raster_format_to_write, sidecar_path,
+    Compression, DataType, GeotiffOptions, RasterFile, SEEN, Samples, blurred, has_float64, raster_format,
+    raster_format_to_write, sidecar_path,
 };
 
 /// Writes a field as a raster file; the extension sets the format: tif, asc, exr, npy, png (16 bit), pgm, r16. Formats that do
@@ -22,8 +23,8 @@ pub struct WriteRaster {
     pub field: String,
     /// Path below the output folder.
     pub path: String,
-    /// GeoTIFF only: type of the samples. If not given, it is float32 for real numbers, uint32 for identifiers, uint8 for
-    /// classes.
+    /// GeoTIFF only: type of the samples. If not given, it is float32 for real numbers (float64 where that would blur them), uint32
+    /// for identifiers, uint8 for classes.
     pub data_type: Option<DataType>,
     /// GeoTIFF only: how the samples are packed.
     pub compression: Compression,
@@ -71,7 +72,6 @@ impl Export<HeightField> for WriteRaster {
             Values::U8(_) => (Samples::Classes, DataType::Uint8),
             _ => (Samples::Real, DataType::Float32),
         };
-        let data_type = self.data_type.unwrap_or(data_type);
         let values = stored.to_f64();
         let legend = match (terrain.layers(), samples) {
             (Some(layers), Samples::Classes) if self.field == names::SURFACE_MATERIAL.name => {
@@ -82,7 +82,7 @@ impl Export<HeightField> for WriteRaster {
         };
         let format = raster_format_to_write(Path::new(&self.path))?;
         let tile = self.tiled.then_some(512);
-        let file = RasterFile {
+        let mut file = RasterFile {
             grid: terrain.grid(),
             values: &values,
             field: &self.field,
@@ -92,7 +92,14 @@ impl Export<HeightField> for WriteRaster {
             seed: landscape.seed,
             geotiff: GeotiffOptions { data_type, compression: self.compression, tile },
         };
-        let most = if data_type == DataType::Float64 { f64::MAX } else { f64::from(f32::MAX) };
+        // What is not asked for as 32-bit floats is not blurred by them.
+        let is_fine = samples == Samples::Real && has_float64(&self.path) && file.needs_float64(SEEN);
+        let usual = if is_fine { DataType::Float64 } else { data_type };
+        file.geotiff.data_type = self.data_type.unwrap_or(usual);
+        if let Some(note) = blurred(&self.path, &file) {
+            out.note(note);
+        }
+        let most = if file.geotiff.data_type == DataType::Float64 { f64::MAX } else { f64::from(f32::MAX) };
         if let Some(v) = values.iter().find(|v| !v.is_nan() && !(v.abs() <= most)) {
             return Err(Error::parameter(
                 "field",

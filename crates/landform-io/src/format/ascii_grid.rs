@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt::Write;
+use std::iter::Peekable;
 
 use landform_core::grid::{Registration, Shape};
 use landform_core::{Error, Result};
@@ -16,23 +17,8 @@ const NODATA: f64 = -9999.0;
 pub(super) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
     let text = text(bytes)?;
     let mut words = text.split_ascii_whitespace().peekable();
-    let mut header = Header::default();
-    while let Some(word) = words.peek() {
-        if !word.starts_with(|c: char| c.is_ascii_alphabetic()) || is_number(word) {
-            break;
-        }
-        let key = word.to_ascii_lowercase();
-        words.next();
-        let value =
-            words.next().and_then(number).ok_or_else(|| Error::format(NAME, format!("`{key}` has no number")))?;
-        header.set(&key, value)?;
-    }
-    let shape = header.shape(bytes.len())?;
-    let said = Said {
-        nodata: Some(header.nodata.unwrap_or(NODATA)),
-        placement: Some(header.placement(shape)?),
-        ..Said::default()
-    };
+    let stored = header(&mut words, bytes.len())?;
+    let shape = stored.shape;
     let mut samples = Vec::with_capacity(shape.len());
     for word in words {
         let value = number(word).ok_or_else(|| Error::format(NAME, format!("`{}` is not a number", shorten(word))))?;
@@ -45,7 +31,34 @@ pub(super) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
         let found = if samples.len() > shape.len() { "more".into() } else { samples.len().to_string() };
         return Err(Error::format(NAME, format!("it has {found} values where the header says {}", shape.len())));
     }
-    Ok(Stored { said, ..Stored::bare(shape, samples) })
+    Ok(Stored { samples, ..stored })
+}
+
+/// As [`read`], without the numbers.
+pub(super) fn read_header(bytes: &[u8]) -> Result<Stored> {
+    header(&mut text(bytes)?.split_ascii_whitespace().peekable(), bytes.len())
+}
+
+/// What the words before the numbers say.
+fn header<'a>(words: &mut Peekable<impl Iterator<Item = &'a str>>, length: usize) -> Result<Stored> {
+    let mut header = Header::default();
+    while let Some(word) = words.peek() {
+        if !word.starts_with(|c: char| c.is_ascii_alphabetic()) || is_number(word) {
+            break;
+        }
+        let key = word.to_ascii_lowercase();
+        words.next();
+        let value =
+            words.next().and_then(number).ok_or_else(|| Error::format(NAME, format!("`{key}` has no number")))?;
+        header.set(&key, value)?;
+    }
+    let shape = header.shape(length)?;
+    let said = Said {
+        nodata: Some(header.nodata.unwrap_or(NODATA)),
+        placement: Some(header.placement(shape)?),
+        ..Said::default()
+    };
+    Ok(Stored { said, ..Stored::bare(shape, Vec::new()) })
 }
 
 /// The text, with or without a byte-order mark.

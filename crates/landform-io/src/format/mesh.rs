@@ -84,7 +84,7 @@ pub fn mesh_file_of_water(field: &HeightField, least: f64) -> Result<MeshFile> {
     }
     let (points, triangles) = mesh_parts_from_height_field(&HeightField::new(field.grid().clone(), surface)?);
     if triangles.is_empty() {
-        return Err(Error::Empty { what: "the sheet of water: it is nowhere two nodes wide".into() });
+        return Err(Error::NoFace { what: "the sheet of water" });
     }
     Ok(MeshFile { points, triangles, middle: Some(middle(field)) })
 }

@@ -50,14 +50,15 @@ pub(crate) use exr::write_rgb as write_exr_rgb;
 pub use geotiff_options::{Compression, DataType, GeotiffOptions};
 pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels, mesh_file_of_water};
 pub use picture::{encode_png, read_grey};
-pub use raster_file::{RasterFile, Samples};
+pub use raster_file::{RasterFile, Samples, blurred};
+pub(crate) use raster_file::{SEEN, has_float64};
 pub(crate) use raw16::{STEPS, quantize};
 pub use reading::{Reading, UNPLACED};
 pub use sidecar::Sidecar;
 pub(crate) use systems::{is_geographic, is_in_metres, is_web_mercator};
 pub use table::{
     MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFormat, load_raster, mesh_format, raster_format,
-    raster_format_to_write, read_raster,
+    raster_format_to_write, read_grid, read_raster,
 };
 
 use landform_core::{Error, Result};

@@ -51,11 +51,19 @@ impl RasterFile<'_> {
         self.values.iter().any(|v| !v.is_finite())
     }
 
-    /// Whether 32-bit floats would blur the values by more than a millionth of their range.
-    pub fn needs_float64(&self) -> bool {
+    /// Whether 32-bit floats would blur the values by more than a part of their range.
+    pub fn needs_float64(&self, part: f64) -> bool {
         let (lo, hi) = self.range();
         let blur = |v: &f64| (v - f64::from(*v as f32)).abs();
-        self.values.iter().filter(|v| v.is_finite()).any(|v| blur(v) > 1e-6 * (hi - lo))
+        hi > lo && self.values.iter().filter(|v| v.is_finite()).any(|v| blur(v) > part * (hi - lo))
+    }
+
+    /// What is lost where these values become 32-bit floats.
+    fn blur_text(&self, path: &str) -> String {
+        let (lo, hi) = self.range();
+        let most = lo.abs().max(hi.abs()) as f32;
+        let step = f64::from(most.next_up()) - f64::from(most);
+        format!("{path} holds 32-bit floats: heights from {lo} to {hi} m come out in steps of {step} m")
     }
 
     /// Least and greatest value; (0, 0) without data.
@@ -64,4 +72,23 @@ impl RasterFile<'_> {
         let range = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         if range.0 <= range.1 { range } else { (0.0, 0.0) }
     }
+}
+
+/// Part of the range of heights by which a blur is seen.
+pub(crate) const SEEN: f64 = 1e-4;
+
+/// What a file of this name loses of a raster's values, if 32-bit floats are all that its format has and they blur them.
+pub fn blurred(path: &str, file: &RasterFile) -> Option<String> {
+    let is_narrow = ends_with_one_of(path, &[".exr", ".glb", ".stl"]);
+    (is_narrow && file.needs_float64(SEEN)).then(|| file.blur_text(path))
+}
+
+/// Whether the format of a file of this name has 64-bit floats.
+pub(crate) fn has_float64(path: &str) -> bool {
+    ends_with_one_of(path, &[".tif", ".tiff", ".asc", ".npy"])
+}
+
+fn ends_with_one_of(path: &str, ends: &[&str]) -> bool {
+    let path = path.to_lowercase();
+    ends.iter().any(|end| path.ends_with(end))
 }

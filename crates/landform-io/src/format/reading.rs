@@ -68,6 +68,22 @@ pub(super) fn decide(format: &'static str, stored: Stored, beside: Beside) -> Re
     Ok(Reading { field: HeightField::new(grid, samples)?, notes })
 }
 
+/// The grid of a file, by all that is said of it but its numbers.
+///
+/// # Errors
+/// [`Error::Format`] where what is said cannot be followed.
+pub(super) fn decide_grid(format: &'static str, stored: Stored, beside: Beside) -> Result<Grid> {
+    let said = beside.said.into_iter().fold(stored.said, Said::or);
+    let system = said.system.clone().unwrap_or_default();
+    system.check_unit(format)?;
+    // Its notes come when its numbers are read.
+    let mut notes = Vec::new();
+    let unit = height_unit(&said, &system, &mut notes);
+    let mut grid = place(format, &said, stored.shape, &mut notes)?;
+    georeference(&mut grid, &system, said.system.is_none(), unit != 1.0, &mut notes);
+    Ok(grid)
+}
+
 fn strike_masked(format: &'static str, samples: &mut [f64], valid: &[bool]) -> Result<()> {
     if valid.len() != samples.len() {
         return Err(Error::format(format, format!("its mask has {} samples for {}", valid.len(), samples.len())));

@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use landform_core::error::nearest;
+use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::HeightField;
 use landform_core::{Error, Result};
 
 use super::beside::{Found, InFile};
-use super::reading::{Beside, Reading, decide};
+use super::reading::{Beside, Reading, decide, decide_grid};
 use super::said::Stored;
 use super::{
     MeshFile, RasterFile, Samples, Sidecar, ascii_grid, beside, exr, geotiff, glb, npy, obj, picture, ply, raw16, stl,
@@ -23,6 +24,8 @@ pub struct RasterFormat {
     pub name: &'static str,
     /// Finds what a file's bytes say; a sidecar tells the size of those that do not.
     stored: fn(&[u8], Option<&Sidecar>) -> Result<Stored>,
+    /// Finds the same but the numbers, where that is faster.
+    header: Option<fn(&[u8]) -> Result<Stored>>,
     /// Writes a file's bytes.
     pub write: fn(&RasterFile) -> Result<Vec<u8>>,
     /// Whether the numbers need a sidecar to be understood.
@@ -43,6 +46,11 @@ impl RasterFormat {
         decide(self.name, stored, beside).map(|reading| reading.field)
     }
 
+    /// The sidecar beside a file that is read, where the format needs one.
+    fn beside(&self, path: &Path) -> Result<Found> {
+        if self.needs_sidecar { beside::sidecar(path) } else { Ok(Found::default()) }
+    }
+
     /// The sidecar of a file, where the format needs one.
     pub fn sidecar(&self, file: &RasterFile) -> Option<Sidecar> {
         let stored = self.is_stepped && file.samples != Samples::Classes;
@@ -56,6 +64,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         extensions: &["tif", "tiff"],
         name: "GeoTIFF",
         stored: geotiff::read,
+        header: Some(geotiff::read_header),
         write: geotiff::write,
         needs_sidecar: false,
         is_stepped: false,
@@ -64,6 +73,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         extensions: &["asc"],
         name: "ESRI ASCII grid",
         stored: ascii_grid::read,
+        header: Some(ascii_grid::read_header),
         write: ascii_grid::write,
         needs_sidecar: false,
         is_stepped: false,
@@ -72,6 +82,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         extensions: &["exr"],
         name: "OpenEXR",
         stored: exr::read,
+        header: None,
         write: exr::write,
         needs_sidecar: true,
         is_stepped: false,
@@ -80,6 +91,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         extensions: &["npy"],
         name: "NumPy array",
         stored: npy::read,
+        header: Some(npy::read_header),
         write: npy::write,
         needs_sidecar: true,
         is_stepped: false,
@@ -88,6 +100,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         extensions: &["png"],
         name: "PNG",
         stored: picture::read_png,
+        header: None,
         write: picture::write_png,
         needs_sidecar: true,
         is_stepped: true,
@@ -96,6 +109,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         extensions: &["pgm", "ppm", "pnm"],
         name: "PNM",
         stored: picture::read_pnm,
+        header: None,
         write: picture::write_pgm,
         needs_sidecar: true,
         is_stepped: true,
@@ -104,6 +118,7 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         extensions: &["r16", "raw"],
         name: "RAW16",
         stored: raw16::read,
+        header: None,
         write: raw16::write,
         needs_sidecar: true,
         is_stepped: true,
@@ -183,16 +198,40 @@ pub fn mesh_format(path: &Path) -> Result<&'static MeshFormat> {
 pub fn read_raster(path: &Path) -> Result<Reading> {
     let format = raster_format(path)?;
     let bytes = read_whole(path)?;
-    let Found { sidecar, mut notes } = if format.needs_sidecar { beside::sidecar(path)? } else { Found::default() };
+    let found = format.beside(path)?;
     let read = || {
-        let stored = (format.stored)(&bytes, sidecar.as_ref().map(|s| &s.1))?;
-        let said = sidecar.as_ref().map(|(at, s)| s.said(stored.shape).map_err(|e| e.in_file(at))).transpose()?;
-        let mut beside = beside::look(format.name, path, stored.shape)?;
-        beside.said.splice(0..0, said);
-        notes.append(&mut beside.notes);
-        decide(format.name, stored, Beside { notes, ..beside })
+        let stored = (format.stored)(&bytes, found.sidecar.as_ref().map(|s| &s.1))?;
+        let beside = look(format, path, found, stored.shape)?;
+        decide(format.name, stored, beside)
     };
     read().map_err(|e| e.in_file(path))
+}
+
+/// The grid that [`read_raster`] gives a file, without its samples; none where they must be read to find it.
+///
+/// # Errors
+/// [`Error::Io`] or [`Error::Format`], naming the file.
+pub fn read_grid(path: &Path) -> Result<Option<Grid>> {
+    let format = raster_format(path)?;
+    let Some(header) = format.header else { return Ok(None) };
+    let bytes = read_whole(path)?;
+    let found = format.beside(path)?;
+    let read = || {
+        let stored = header(&bytes)?;
+        let beside = look(format, path, found, stored.shape)?;
+        decide_grid(format.name, stored, beside)
+    };
+    read().map(Some).map_err(|e| e.in_file(path))
+}
+
+/// What lies beside a file of this shape.
+fn look(format: &RasterFormat, path: &Path, found: Found, shape: Shape) -> Result<Beside> {
+    let Found { sidecar, mut notes } = found;
+    let said = sidecar.map(|(at, s)| s.said(shape).map_err(|e| e.in_file(&at))).transpose()?;
+    let mut beside = beside::look(format.name, path, shape)?;
+    beside.said.splice(0..0, said);
+    notes.append(&mut beside.notes);
+    Ok(Beside { notes, ..beside })
 }
 
 /// As [`read_raster`], without its notes.

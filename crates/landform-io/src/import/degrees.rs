@@ -8,8 +8,7 @@
 //! # Sources
 //! Metres per degree: series on the WGS 84 ellipsoid (American Practical Navigator, table 7).
 
-use landform_core::grid::{Degrees, Georeference};
-use landform_core::terrain::HeightField;
+use landform_core::grid::{Degrees, Georeference, Grid};
 use landform_core::{Error, Result, math};
 
 use crate::format::is_web_mercator;
@@ -20,14 +19,13 @@ const MOST_ERROR: f64 = 0.05;
 pub(super) const EQUATORIAL_RADIUS: f64 = 6_378_137.0;
 
 /// Whether coordinates are degrees: the file says so, or was taken so when it was read.
-pub fn in_degrees(field: &HeightField) -> bool {
-    field.grid().georeference.geographic
+pub fn in_degrees(grid: &Grid) -> bool {
+    grid.georeference.geographic
 }
 
 /// How many of its units a metre is at the middle of a raster in the Mercator projection of web maps, whose units are metres at the
 /// equator only; none in other systems.
-pub fn mercator_stretch(field: &HeightField) -> Option<f64> {
-    let grid = field.grid();
+pub fn mercator_stretch(grid: &Grid) -> Option<f64> {
     grid.georeference.epsg.filter(|e| is_web_mercator(*e))?;
     let [[_, south], [_, north]] = grid.bounds();
     // Latitude is the Gudermannian of y over the radius; the stretch 1 / cos of that is cosh.
@@ -39,8 +37,8 @@ pub fn mercator_stretch(field: &HeightField) -> Option<f64> {
 ///
 /// # Errors
 /// [`Error::Parameter`].
-pub(super) fn check_stretch(field: &HeightField) -> Result<()> {
-    match mercator_stretch(field) {
+pub(super) fn check_stretch(grid: &Grid) -> Result<()> {
+    match mercator_stretch(grid) {
         Some(stretch) if !(stretch - 1.0 <= MOST_ERROR) => {
             let value = format!("EPSG:3857, {}", stretch_text(stretch));
             Err(Error::parameter("coordinates", value, "metres: warp it to UTM first"))
@@ -73,8 +71,7 @@ fn metres_per_degree(latitude: f64) -> [f64; 2] {
 ///
 /// # Errors
 /// [`Error::Parameter`] if the error is more than 5 %, or if latitudes are beyond 90 degrees.
-pub fn metres_from_degrees(field: &mut HeightField) -> Result<f64> {
-    let mut grid = field.grid().clone();
+pub fn metres_from_degrees(grid: &mut Grid) -> Result<f64> {
     let (north, south) = (grid.origin[1], grid.origin[1] - grid.extent()[1]);
     if !(north <= 90.0 + 1e-6 && south >= -90.0 - 1e-6) {
         let value = format!("latitudes from {south:.3} to {north:.3}");
@@ -97,50 +94,47 @@ pub fn metres_from_degrees(field: &mut HeightField) -> Result<f64> {
     let degrees = Degrees { origin: [grid.origin[0], south], metres: [east, up], epsg: grid.georeference.epsg };
     grid.spacing = [grid.spacing[0] * east, grid.spacing[1] * up];
     grid.origin = [0.0, grid.extent()[1]];
-    grid.georeference = Georeference { epsg: None, geographic: false, degrees: Some(degrees), ..grid.georeference };
-    field.set_grid(grid)?;
+    let others = std::mem::take(&mut grid.georeference);
+    grid.georeference = Georeference { epsg: None, geographic: false, degrees: Some(degrees), ..others };
     Ok(error)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use landform_core::grid::{Grid, Shape};
+    use landform_core::grid::Shape;
 
-    fn field(south: f64, north: f64) -> HeightField {
+    fn grid(south: f64, north: f64) -> Grid {
         let mut grid = Grid::new(Shape::new(11, 5), [0.01, (north - south) / 10.0]).unwrap();
         grid.origin = [10.0, north];
         grid.georeference.geographic = true;
-        HeightField::new(grid, vec![1.0; 55]).unwrap()
+        grid
     }
 
     #[test]
     fn small_maps_become_metres_and_large_ones_are_refused() {
-        let mut small = field(45.0, 45.1);
+        let mut small = grid(45.0, 45.1);
         assert!(in_degrees(&small));
         assert!(metres_from_degrees(&mut small).unwrap() < 0.001);
-        assert!(
-            (small.grid().spacing[0] / 788.0 - 1.0).abs() < 0.002
-                && (small.grid().spacing[1] / 1111.4 - 1.0).abs() < 0.001
-        );
+        assert!((small.spacing[0] / 788.0 - 1.0).abs() < 0.002 && (small.spacing[1] / 1111.4 - 1.0).abs() < 0.001);
         assert!(!in_degrees(&small));
-        let text = metres_from_degrees(&mut field(49.0, 61.0)).unwrap_err().to_string();
+        let text = metres_from_degrees(&mut grid(49.0, 61.0)).unwrap_err().to_string();
         assert!(text.contains("% wrong"), "{text}");
-        assert!(metres_from_degrees(&mut field(85.0, 95.0)).is_err());
-        assert!(metres_from_degrees(&mut field(-3.0, 3.0)).unwrap() < 0.002);
+        assert!(metres_from_degrees(&mut grid(85.0, 95.0)).is_err());
+        assert!(metres_from_degrees(&mut grid(-3.0, 3.0)).unwrap() < 0.002);
     }
 
     #[test]
     fn degrees_come_back_as_degrees() {
-        let source = field(45.0, 45.1);
+        let source = grid(45.0, 45.1);
         let mut metres = source.clone();
         metres_from_degrees(&mut metres).unwrap();
-        assert!(metres.grid().georeference.epsg.is_none() && !in_degrees(&metres));
-        let back = metres.grid().in_its_system();
+        assert!(metres.georeference.epsg.is_none() && !in_degrees(&metres));
+        let back = metres.in_its_system();
         assert!(back.georeference.geographic);
         for k in 0..2 {
-            assert!((back.spacing[k] / source.grid().spacing[k] - 1.0).abs() < 1e-12);
-            assert!((back.origin[k] - source.grid().origin[k]).abs() < 1e-9);
+            assert!((back.spacing[k] / source.spacing[k] - 1.0).abs() < 1e-12);
+            assert!((back.origin[k] - source.origin[k]).abs() < 1e-9);
         }
     }
 
@@ -150,7 +144,7 @@ mod tests {
             let mut grid = Grid::new(Shape::new(3, 3), [30.0, 30.0]).unwrap();
             grid.origin = [1_000_000.0, y];
             grid.georeference.epsg = Some(epsg);
-            HeightField::new(grid, vec![1.0; 9]).unwrap()
+            grid
         };
         // 60 degrees north.
         let north = at(8_399_737.9, 3857);

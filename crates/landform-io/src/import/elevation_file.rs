@@ -75,9 +75,9 @@ impl ElevationFile {
         }
     }
 
-    fn read(&self, context: &Context) -> Result<HeightField> {
-        let mut field = Arc::unwrap_or_clone(context.maps.raster(Path::new(&self.path))?);
-        if in_degrees(&field) {
+    /// The file's grid in metres.
+    fn in_metres(&self, mut grid: Grid) -> Result<Grid> {
+        if in_degrees(&grid) {
             if !self.degrees_to_metres {
                 let value = format!("\"{}\", which is in degrees of longitude and latitude", self.path);
                 return Err(Error::parameter(
@@ -86,16 +86,17 @@ impl ElevationFile {
                     "metres; set degrees_to_metres = true, or warp it to UTM first",
                 ));
             }
-            metres_from_degrees(&mut field)?;
+            metres_from_degrees(&mut grid)?;
         }
-        check_stretch(&field)?;
-        Ok(field)
+        check_stretch(&grid)?;
+        Ok(grid)
     }
 }
 
 impl Generator<HeightField> for ElevationFile {
     fn generate(&self, context: &Context) -> Result<HeightField> {
-        let mut field = self.read(context)?;
+        let mut field = Arc::unwrap_or_clone(context.maps.raster(Path::new(&self.path))?);
+        field.set_grid(self.in_metres(field.grid().clone())?)?;
         if self.cell_size.is_none() && self.coarsen > 1 {
             field = blocks(&field, self.coarsen as usize)?;
         } else if let Some(target) = self.target(field.grid())? {
@@ -106,9 +107,9 @@ impl Generator<HeightField> for ElevationFile {
     }
 
     fn estimate(&self, context: &Context) -> Result<Estimate> {
-        let field = self.read(context)?;
-        let source = field.grid().len() as u64;
-        let nodes = self.target(field.grid())?.map_or(source, |target| target.len() as u64);
-        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent: field.grid().extent(), ..Estimate::default() })
+        let grid = self.in_metres(context.maps.grid(Path::new(&self.path))?)?;
+        let source = grid.len() as u64;
+        let nodes = self.target(&grid)?.map_or(source, |target| target.len() as u64);
+        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent: grid.extent(), ..Estimate::default() })
     }
 }

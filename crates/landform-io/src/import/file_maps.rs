@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::SystemTime;
 
+use landform_core::grid::Grid;
 use landform_core::recent::Recent;
 use landform_core::terrain::HeightField;
 use landform_core::verb::{Image, Maps};
 use landform_core::{Error, Result};
 
 use crate::files::read_whole;
-use crate::format::{Reading, read_grey, read_raster};
+use crate::format::{Reading, read_grey, read_grid, read_raster};
 
 /// Greatest number of bytes of rasters that are kept.
 const MOST_BYTES: u64 = 1 << 30;
@@ -77,6 +78,18 @@ impl Maps for FileMaps {
         self.rasters.keep(file, raster.clone(), 8 * raster.grid().len() as u64);
         Ok(raster)
     }
+
+    fn grid(&self, path: &Path) -> Result<Grid> {
+        // What was read already need not be read again, and what its reader notes comes with the samples.
+        let file = (self.folder.join(path), stamp(&self.folder.join(path)));
+        match self.rasters.find(&file).filter(|_| file.1.is_some()) {
+            Some(raster) => Ok(raster.grid().clone()),
+            None => match read_grid(&file.0)? {
+                Some(grid) => Ok(grid),
+                None => self.raster(path).map(|raster| raster.grid().clone()),
+            },
+        }
+    }
 }
 
 #[cfg(test)]
@@ -93,6 +106,7 @@ mod tests {
         let maps = FileMaps::new(folder.path());
         let first = maps.raster(Path::new("a.asc")).unwrap();
         assert!(Arc::ptr_eq(&first, &maps.raster(Path::new("a.asc")).unwrap()));
+        assert_eq!(maps.grid(Path::new("a.asc")).unwrap(), *first.grid());
         fs::write(&path, text.replace("3 4", "3 40")).unwrap();
         assert!(!Arc::ptr_eq(&first, &maps.raster(Path::new("a.asc")).unwrap()));
     }

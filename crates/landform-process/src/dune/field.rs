@@ -1,6 +1,9 @@
 //! Sand in whole units on the ground of a terrain in metres.
 
+use std::collections::VecDeque;
+
 use landform_core::agents::Sand;
+use landform_core::grid::Shape;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::verb::{Context, Resolved};
 use landform_core::{Error, Result, math};
@@ -21,6 +24,8 @@ pub(super) struct Field {
     pub(super) unit: f64,
     /// Units that left over the sides.
     pub(super) left: i64,
+    /// Units of all that is gone that steps have told of.
+    pub(super) told: i64,
     /// Whether what leaves on one side enters on the other.
     torus: bool,
 }
@@ -47,7 +52,8 @@ impl Field {
             ));
         }
         let ground: Vec<f64> = (0..z.len()).map(|i| z[i] - lying(i)).collect();
-        let units = ground.iter().map(|g| if g.is_nan() { 0 } else { (g / unit).round() as i32 }).collect();
+        let known = beside_holes(terrain.grid().shape, &ground);
+        let units = known.iter().map(|g| (g / unit).round() as i32).collect();
         let torus = params.borders == Borders::Periodic;
         let steps = Sand::steps_of(params.repose.si(), terrain.grid().spacing, unit, UNITS_A_SLAB);
         let mut sand = Sand::new(terrain.grid().shape, torus, units, steps, UNITS_A_SLAB);
@@ -67,7 +73,13 @@ impl Field {
             sand.lay(i, slabs * UNITS_A_SLAB + (lying(i) / unit).round() as i32);
         }
         sand.settle();
-        Ok(Self { sand, ground, unit, left: 0, torus })
+        Ok(Self { sand, ground, unit, left: 0, told: 0, torus })
+    }
+
+    /// Units that are gone and that no step has told of yet.
+    pub(super) fn newly_lost(&mut self) -> i64 {
+        let gone = self.sand.swallowed() + self.left;
+        gone - std::mem::replace(&mut self.told, gone)
     }
 
     /// Height of a slab, m.
@@ -130,4 +142,24 @@ impl Field {
     pub(super) fn fall(&self, angle: f64, distance: f64) -> f32 {
         (math::tan(angle) * distance / self.unit) as f32
     }
+}
+
+/// The ground, and in its holes that of the nearest site with data, so that sand does not fall into them as into a pit.
+fn beside_holes(shape: Shape, ground: &[f64]) -> Vec<f64> {
+    let mut known = ground.to_vec();
+    let mut next: VecDeque<usize> = (0..known.len()).filter(|&i| !known[i].is_nan()).collect();
+    if next.len() == known.len() {
+        return known;
+    }
+    while let Some(i) = next.pop_front() {
+        let cell = shape.cell(i);
+        let (rows, cols) = (cell.row.saturating_sub(1)..=cell.row + 1, cell.col.saturating_sub(1)..=cell.col + 1);
+        for (row, col) in rows.flat_map(|r| cols.clone().map(move |c| (r, c))) {
+            if row < shape.rows && col < shape.cols && known[shape.index(row, col)].is_nan() {
+                known[shape.index(row, col)] = known[i];
+                next.push_back(shape.index(row, col));
+            }
+        }
+    }
+    known
 }

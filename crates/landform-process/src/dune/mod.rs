@@ -123,7 +123,8 @@ impl Process<HeightField> for Dunes {
         // Finer slabs belong to the end of a run of known length.
         let is_own = at.of == Some(self.iterations + self.fine_rounds());
         field.sand.set_slab(self.slab_units(if is_own { at.index } else { 0 }));
-        let swallowed = field.sand.swallowed() + field.left;
+        // Sand that slid off the map as it was laid was there before the run, and is gone.
+        let at_first = field.newly_lost() as f64;
         match self.model {
             Model::Koh => koh::round(self, terrain.grid(), field, &mut scratch.air, &rose, wind, part, at.seed),
             _ => slabs::round(self, terrain.grid(), field, protection.as_mut(), scratch, &rose, wind, part, at.seed),
@@ -135,12 +136,13 @@ impl Process<HeightField> for Dunes {
             deposited += d.max(0);
             eroded += (-d).max(0);
         }
-        let lost = field.sand.swallowed() + field.left - swallowed;
+        let lost = field.newly_lost() as f64;
         field.write(terrain)?;
         Ok(Change {
-            eroded: eroded as f64 * unit,
+            eroded: (eroded as f64 + at_first) * unit,
             deposited: deposited as f64 * unit,
-            exported: lost as f64 * unit,
+            supplied: at_first * unit,
+            exported: (at_first + lost) * unit,
             ..Change::default()
         })
     }

@@ -124,6 +124,7 @@ impl Runner<'_> {
                     }
                     told => told.map_err(fail)?,
                 }
+                out.take_notes().into_iter().for_each(|note| self.note(note));
             } else {
                 let mut with = Vec::new();
                 for label in &entry.with {

@@ -15,7 +15,7 @@ mod unpack;
 mod write;
 
 pub(super) use numbers::half;
-pub(super) use read::{read, read_mask};
+pub(super) use read::{read, read_header, read_mask};
 pub(super) use write::write;
 
 use std::io::Cursor;

@@ -195,4 +195,19 @@ mod tests {
             assert_eq!(picked(kind, &row, 1, 2, 3), [7.0, 7.0, 8.0]);
         }
     }
+
+    #[test]
+    fn planes_of_bytes_become_real_numbers_in_both_orders() {
+        let values = [100.0_f32, 115.5, -2.25];
+        // Most significant bytes of all numbers first, whatever the order of the file; then differences.
+        let planes: Vec<u8> = (0..4).flat_map(|k| values.map(|v| v.to_be_bytes()[k])).collect();
+        let packed: Vec<u8> =
+            (0..12).map(|i| if i == 0 { planes[0] } else { planes[i].wrapping_sub(planes[i - 1]) }).collect();
+        for is_big in [false, true] {
+            let kind = Kind::new(32, 3, 3, is_big).unwrap();
+            let mut row = packed.clone();
+            kind.undo_predictor(&mut row, 1);
+            assert_eq!(picked(kind, &row, 0, 1, 3), values.map(f64::from));
+        }
+    }
 }

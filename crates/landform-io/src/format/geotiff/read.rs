@@ -24,21 +24,13 @@ const MOST_IMAGES: usize = 64;
 
 pub(in crate::format) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
     let mut tiff = open(bytes)?;
-    let shape = shape(&mut tiff, bytes)?;
-    let mut said = said(&mut tiff, shape)?;
+    let (shape, said) = header(&mut tiff, bytes)?;
     let blocks = Blocks::of(&mut tiff, bytes, shape)?;
     let absent = if said.nodata.is_some() { f64::NAN } else { 0.0 };
     let (samples, missing) = blocks.band(&mut tiff, 0, absent)?;
     let mut notes = Vec::new();
     if missing > 0 && said.nodata.is_none() {
         notes.push(format!("{missing} strips or tiles are absent and no nodata is named: taken as 0"));
-    }
-    if said.placement.is_none() && is_tied(&mut tiff) {
-        return Err(Error::Format {
-            format: NAME,
-            what: "its place is given by control points".into(),
-            hint: Some("warp it by them first: gdalwarp in.tif out.tif".into()),
-        });
     }
     let alpha = alpha_band(&mut tiff, blocks.bands);
     let others = blocks.bands - 1 - usize::from(alpha.is_some());
@@ -52,10 +44,32 @@ pub(in crate::format) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Store
     if let Some(mask) = mask(&mut tiff, bytes, shape)? {
         valid = Some(mask);
     }
-    if said.system.is_none() && is_ours(&mut tiff) {
+    Ok(Stored { shape, samples, valid, said, notes })
+}
+
+/// As [`read`], without the numbers; how they are packed is looked at.
+pub(in crate::format) fn read_header(bytes: &[u8]) -> Result<Stored> {
+    let mut tiff = open(bytes)?;
+    let (shape, said) = header(&mut tiff, bytes)?;
+    Blocks::of(&mut tiff, bytes, shape)?;
+    Ok(Stored { said, ..Stored::bare(shape, Vec::new()) })
+}
+
+/// Size, and what is said.
+fn header(tiff: &mut Reader, bytes: &[u8]) -> Result<(Shape, Said)> {
+    let shape = shape(tiff, bytes)?;
+    let mut said = said(tiff, shape)?;
+    if said.placement.is_none() && is_tied(tiff) {
+        return Err(Error::Format {
+            format: NAME,
+            what: "its place is given by control points".into(),
+            hint: Some("warp it by them first: gdalwarp in.tif out.tif".into()),
+        });
+    }
+    if said.system.is_none() && is_ours(tiff) {
         said.system = Some(System::metres());
     }
-    Ok(Stored { shape, samples, valid, said, notes })
+    Ok((shape, said))
 }
 
 /// The mask that a file is: which of its samples are above 0.

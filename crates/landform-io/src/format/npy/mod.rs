@@ -14,12 +14,7 @@ const NAME: &str = "NumPy array";
 
 pub(super) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
     let header = Header::read(bytes)?;
-    let [rows, cols] = size(&header.shape)?;
-    check_dimensions(NAME, rows, cols, 1, bytes.len())?;
-    if rows * cols > bytes.len() as u64 {
-        return Err(Error::format(NAME, "it is truncated"));
-    }
-    let shape = Shape::new(rows as usize, cols as usize);
+    let shape = shape(&header, bytes)?;
     let Some(kind) = &header.kind else {
         return Err(Error::Format {
             format: NAME,
@@ -34,6 +29,21 @@ pub(super) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
         values
     };
     Ok(Stored::bare(shape, values))
+}
+
+/// As [`read`], without the numbers.
+pub(super) fn read_header(bytes: &[u8]) -> Result<Stored> {
+    Ok(Stored::bare(shape(&Header::read(bytes)?, bytes)?, Vec::new()))
+}
+
+/// Rows and columns that a file of this length may have.
+fn shape(header: &Header, bytes: &[u8]) -> Result<Shape> {
+    let [rows, cols] = size(&header.shape)?;
+    check_dimensions(NAME, rows, cols, 1, bytes.len())?;
+    if rows * cols > bytes.len() as u64 {
+        return Err(Error::format(NAME, "it is truncated"));
+    }
+    Ok(Shape::new(rows as usize, cols as usize))
 }
 
 /// The first `count` numbers of a plain type.
