@@ -2,7 +2,7 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command line speaks")]
 
-mod examples;
+mod documented;
 mod fuzz;
 mod instructions;
 mod layers;
@@ -16,7 +16,7 @@ const HELP: &str = "cargo xtask COMMAND
   ci                  tests, fmt, clippy, docs, layers: what CI runs
   layers              checks who imports whom
   instructions [--accept]  counts instructions of hot paths against those kept, or keeps what is counted now
-  examples [--accept]  counts public items without an example: the count only falls
+  documented [--accept]  counts public items without an example or a unit: the counts only fall
   gallery [--accept]  runs the gallery's goldens, or accepts what comes out now
   fuzz [SECONDS]      throws damaged files at every reader, SECONDS each (60)
   reproduce NAME      a thesis' tables and figures, ours beside its own (docs); without a name: which there are
@@ -30,7 +30,7 @@ fn main() -> ExitCode {
         Some("ci") => ci(),
         Some("layers") => layers::check(),
         Some("instructions") => instructions::run(args.iter().any(|a| a == "--accept")),
-        Some("examples") => examples::run(args.iter().any(|a| a == "--accept")),
+        Some("documented") => documented::run(args.iter().any(|a| a == "--accept")),
         Some("gallery") => gallery(args.iter().any(|a| a == "--accept")),
         Some("fuzz") => fuzz::run(args.get(1).and_then(|s| s.parse().ok()).unwrap_or(60.0)),
         Some("reproduce") => reproduce::run(&args[1..]),
@@ -61,6 +61,6 @@ fn ci() -> bool {
         && cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])
         && cargo(&["doc", "--workspace", "--no-deps", "--document-private-items"], &[("RUSTDOCFLAGS", "-D warnings")])
         && layers::check()
-        && examples::run(false)
+        && documented::run(false)
         && instructions::run(false)
 }

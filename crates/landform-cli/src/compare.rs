@@ -41,7 +41,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     if let Some(map) = &args.map
         && map.extension().is_none_or(|e| !e.eq_ignore_ascii_case("png"))
     {
-        return Err(Error::parameter("map", format!("\"{}\"", map.display()), "a name that ends with .png").into());
+        return Err(Error::extension("map", &map.display().to_string(), &["png"]).into());
     }
     let (a, b) = (ground::load(&args.a, &args.scale)?, ground::load(&args.b, &args.scale)?);
     for (name, ground) in [("A", &a), ("B", &b)] {

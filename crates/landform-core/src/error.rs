@@ -3,6 +3,7 @@
 //! Messages are lower case, without full stop, give the value found and the value expected; [`Error::hint`] adds the remedy where
 //! one is known.
 
+use std::fmt;
 use std::path::PathBuf;
 
 /// Anything that can go wrong short of a bug in landform.
@@ -18,6 +19,68 @@ pub enum Error {
         value: String,
         /// Values that are accepted.
         expected: String,
+    },
+    /// A number lies outside the range that its parameter is declared with.
+    #[error("parameter `{name}` is {text}; expected {range}")]
+    OutOfRange {
+        /// Name as typed in a recipe; of a table within a table a path, "grid.cell_size".
+        name: String,
+        /// The number found, in the unit of the range.
+        value: f64,
+        /// The number as it was typed, with its unit.
+        text: String,
+        /// The range.
+        range: Range,
+    },
+    /// A parameter that varies from node to node has a value that is not allowed.
+    #[error("parameter `{name}` is {value} at node {node}; expected {expected} everywhere")]
+    AtNode {
+        /// Name as typed in a recipe.
+        name: String,
+        /// The first node with such a value.
+        node: usize,
+        /// The value, SI; NaN where there is none.
+        value: f64,
+        /// Values that are accepted.
+        expected: &'static str,
+    },
+    /// A parameter means nothing without another.
+    #[error("parameter `{name}` is given alone; expected together with {needs}")]
+    Incomplete {
+        /// Name as typed in a recipe.
+        name: String,
+        /// The parameter that it goes with.
+        needs: &'static str,
+    },
+    /// A file's name does not end as that of a format at hand.
+    #[error("parameter `{name}` is \"{path}\"; expected a name that ends with {}", endings(.extensions, .near.as_deref()))]
+    Extension {
+        /// Name of the parameter that gives the path.
+        name: String,
+        /// The path.
+        path: String,
+        /// Endings of the formats at hand, lower case, without dot.
+        extensions: Vec<&'static str>,
+        /// The ending that was probably meant.
+        near: Option<String>,
+    },
+    /// A path leads out of the folder that files are put in.
+    #[error("parameter `{name}` is \"{path}\"{}; expected a file name, below the output folder", link(*.by_link))]
+    Outside {
+        /// Name of the parameter that gives the path.
+        name: String,
+        /// The path.
+        path: String,
+        /// Whether it does so over a link.
+        by_link: bool,
+    },
+    /// Coordinates of a file are degrees, where slopes need metres.
+    #[error("parameter `path` is \"{path}\", which is in degrees of longitude and latitude; expected metres")]
+    InDegrees {
+        /// The file.
+        path: String,
+        /// Whether `degrees_to_metres` converts it.
+        convertible: bool,
     },
     /// A text could not be read as a quantity.
     #[error("`{text}` is not {expected}: {why}")]
@@ -159,6 +222,63 @@ pub enum Error {
     },
 }
 
+/// The range of a parameter, in its customary unit.
+///
+/// ```
+/// use landform_core::error::Range;
+///
+/// let depth = Range { least: Some(0.0), unit: "m".into(), ..Range::default() };
+/// assert_eq!(depth.to_string(), "at least 0 m");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Range {
+    /// The number lies above this.
+    pub above: Option<f64>,
+    /// The number is at least this.
+    pub least: Option<f64>,
+    /// The number is at most this.
+    pub most: Option<f64>,
+    /// The unit; empty for none.
+    pub unit: String,
+}
+
+impl Range {
+    /// Whether a number lies in it; bounds that are rounded by a billionth count as met.
+    ///
+    /// ```
+    /// use landform_core::error::Range;
+    ///
+    /// let part = Range { above: Some(0.0), most: Some(1.0), ..Range::default() };
+    /// assert!(part.contains(1.0) && !part.contains(0.0));
+    /// assert_eq!(part.to_string(), "> 0 and at most 1");
+    /// ```
+    pub fn contains(&self, number: f64) -> bool {
+        self.above.is_none_or(|b| number > b)
+            && self.least.is_none_or(|b| number >= b * (1.0 - 1e-9))
+            && self.most.is_none_or(|b| number <= b * (1.0 + 1e-9))
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+        let bounds = [(">", self.above), ("at least", self.least), ("at most", self.most)];
+        let parts = bounds.into_iter().filter_map(|(word, bound)| Some(format!("{word} {}{unit}", bound?)));
+        f.write_str(&parts.collect::<Vec<_>>().join(" and "))
+    }
+}
+
+/// Endings in words.
+fn endings(extensions: &[&str], near: Option<&str>) -> String {
+    let near = near.map(|near| format!(" (.{near}?)")).unwrap_or_default();
+    let one_of = if extensions.len() > 3 { "one of " } else { "" };
+    format!("{one_of}.{}{near}", extensions.join(", ."))
+}
+
+fn link(by_link: bool) -> &'static str {
+    if by_link { ", which a link leads out of the output folder" } else { "" }
+}
+
 /// `Result` with landform's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
@@ -166,6 +286,42 @@ impl Error {
     /// A wrong parameter.
     pub fn parameter(name: &str, value: impl ToString, expected: &str) -> Self {
         Self::Parameter { name: name.into(), value: value.to_string(), expected: expected.into() }
+    }
+
+    /// A file's name that ends otherwise than with one of `extensions`.
+    ///
+    /// ```
+    /// use landform_core::Error;
+    ///
+    /// let error = Error::extension("path", "relief.jpg", &["png"]);
+    /// assert_eq!(error.parameter_name(), Some("path"));
+    /// assert!(error.to_string().ends_with("expected a name that ends with .png (.png?)"));
+    /// ```
+    pub fn extension(name: &str, path: &str, extensions: &[&'static str]) -> Self {
+        let own = path.rsplit_once('.').map_or("", |(_, end)| end);
+        let near = nearest(own, extensions.iter().copied()).map(str::to_string);
+        Self::Extension { name: name.into(), path: path.into(), extensions: extensions.to_vec(), near }
+    }
+
+    /// The parameter that is wrong, where the error is that of one.
+    ///
+    /// ```
+    /// use landform_core::Error;
+    ///
+    /// assert_eq!(Error::parameter("seed", -1, "at least 0").parameter_name(), Some("seed"));
+    /// assert_eq!(Error::Interrupted.parameter_name(), None);
+    /// ```
+    pub fn parameter_name(&self) -> Option<&str> {
+        match self {
+            Self::Parameter { name, .. }
+            | Self::OutOfRange { name, .. }
+            | Self::AtNode { name, .. }
+            | Self::Incomplete { name, .. }
+            | Self::Extension { name, .. }
+            | Self::Outside { name, .. } => Some(name),
+            Self::InDegrees { .. } => Some("path"),
+            _ => None,
+        }
     }
 
     /// Several errors as one; the only one as itself.
@@ -198,6 +354,11 @@ impl Error {
                     None => format!("the landscape has {}", available.join(", ")),
                 })
             }
+            Self::InDegrees { convertible: true, .. } => {
+                Some("set degrees_to_metres = true, or warp it to UTM first".into())
+            }
+            Self::InDegrees { .. } => Some("warp it to UTM first".into()),
+            Self::Outside { by_link: true, .. } => Some("allow it with --allow-outside, or give another path".into()),
             Self::NonFinite { .. } => Some("a rate is too great for the time step; try a smaller `clock.dt`".into()),
             Self::NotConverged { .. } => Some("try a smaller `clock.dt`".into()),
             Self::Empty { .. } => Some("check the file's nodata value".into()),

@@ -122,14 +122,13 @@ impl Folder {
         if real(parent)?.starts_with(real(&self.root)?) {
             return Ok(());
         }
-        let value = format!("\"{path}\", which a link leads out of the output folder");
-        Err(Error::parameter("path", value, "a file in the output folder, or leave to write outside"))
+        Err(Error::Outside { name: "path".into(), path: path.into(), by_link: true })
     }
 
     /// Refuses a path that leads out of the folder, where that is not allowed.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for such a path.
+    /// [`Error::Outside`] for such a path.
     pub fn check(&self, path: &str) -> Result<()> {
         if self.may_leave {
             return file_path(path).map(drop);

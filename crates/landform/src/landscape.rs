@@ -75,14 +75,13 @@ impl Landscape {
     /// What was assumed of the file is in [`Landscape::notes`].
     ///
     /// # Errors
-    /// [`Error::Io`] or [`Error::Format`] if the file cannot be read; [`Error::Parameter`] if it is in degrees, since slopes need
+    /// [`Error::Io`] or [`Error::Format`] if the file cannot be read; [`Error::InDegrees`] if it is in degrees, since slopes need
     /// metres.
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let Reading { mut field, notes } = read_raster(path)?;
         if in_degrees(field.grid()) {
-            let value = format!("\"{}\", which is in degrees of longitude and latitude", path.display());
-            return Err(Error::parameter("path", value, "metres; warp it to UTM first"));
+            return Err(Error::InDegrees { path: path.display().to_string(), convertible: false });
         }
         let valleys = landform_core::verb::Outlets::Named(landform_core::verb::NamedOutlets::Valleys);
         valleys.apply(&mut field, 0.0, &Context::default())?;

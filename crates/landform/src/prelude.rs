@@ -34,7 +34,7 @@ pub fn myr(value: f64) -> f64 {
     value * MYR
 }
 
-/// A rate in millimetres a year.
+/// A rate of `value` mm/yr.
 pub fn mm_per_yr(value: f64) -> Rate {
     Rate::of(value)
 }

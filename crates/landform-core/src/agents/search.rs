@@ -28,7 +28,7 @@ impl Search {
         self.queue.clear();
     }
 
-    /// Breadth-first from `origin` to sites at most `radius` away in a straight line, along links that `through` (from, to) lets
+    /// Breadth-first from `origin` to sites at most `radius` (m) away in a straight line, along links that `through` (from, to) lets
     /// pass: uphill only, along a coast only, inside a cone. `visit` sees each site once with its distance, the origin first;
     /// false ends it.
     pub fn within<D: Sites>(

@@ -51,13 +51,13 @@ pub struct Front<'a> {
 }
 
 impl Front<'_> {
-    /// Time of a site if it was accepted.
+    /// Time (s) of a site if it was accepted.
     #[inline]
     pub fn at(&self, site: usize) -> Option<f64> {
         self.accepted[site].then_some(self.time[site])
     }
 
-    /// The accepted neighbours (along the axes) of a site: time and distance.
+    /// The accepted neighbours (along the axes) of a site: time (s) and distance (m).
     pub fn behind(&self, site: usize) -> impl Iterator<Item = (f64, f64)> {
         let place = self.lattice.place(site);
         faces().filter_map(move |(axis, by)| {
@@ -66,7 +66,7 @@ impl Front<'_> {
         })
     }
 
-    /// When a front of this slowness (1 / speed) arrives at a site, from its accepted neighbours; infinite if it has none.
+    /// When a front of this slowness (1 / speed, s/m) arrives at a site, from its accepted neighbours; infinite if it has none.
     pub fn eikonal(&self, site: usize, slowness: f64, order: Order) -> f64 {
         let place = self.lattice.place(site);
         // Per axis: weight and origin of (T - origin)^2 * weight.
@@ -107,7 +107,7 @@ fn faces() -> impl Iterator<Item = (usize, [i64; 3])> {
     })
 }
 
-/// Marches from seeds (site, time). `update` gives the time of a site from the front so far; infinite keeps the front out. Sites
+/// Marches from seeds (site, time in s). `update` gives the time of a site from the front so far; infinite keeps the front out. Sites
 /// that it never reaches stay infinite. `accept` sees every site in order of time.
 pub fn march(
     lattice: &Lattice,
@@ -153,7 +153,7 @@ pub fn distance(lattice: &Lattice, seeds: &[usize], order: Order) -> Vec<f64> {
     distance_within(lattice, seeds, order, |_| true)
 }
 
-/// Distance to the nearest seed along paths through sites that `open` lets in; infinite where there is none.
+/// Distance (m) to the nearest seed along paths through sites that `open` lets in; infinite where there is none.
 pub fn distance_within(lattice: &Lattice, seeds: &[usize], order: Order, open: impl Fn(usize) -> bool) -> Vec<f64> {
     let start = exact_ball(lattice, seeds, &open);
     march(lattice, start, |f, i| if open(i) { f.eikonal(i, 1.0, order) } else { f64::INFINITY }, |_, _| {})

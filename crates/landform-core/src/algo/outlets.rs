@@ -27,12 +27,12 @@ pub(crate) fn chosen<T: NodeSurface>(terrain: &T, is_outlet: impl Fn(usize) -> b
     (0..status.len()).map(new).collect()
 }
 
-/// The status that makes every node at or under a level a base level.
+/// The status that makes every node at or under a level (m) a base level.
 pub fn at_or_under<T: NodeSurface>(level: f64, terrain: &T) -> Vec<Status> {
     chosen(terrain, |i| terrain.elevation()[i] <= level)
 }
 
-/// Raises the water to sea level at base levels below it that are not connected to the sea: lagoons and depressions, which are
+/// Raises the water to sea level (m) at base levels below it that are not connected to the sea: lagoons and depressions, which are
 /// lakes. The sea enters over the border, the rim of outer nodata included.
 pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_level: f64, water: &mut [f64]) {
     let status = domain.status();

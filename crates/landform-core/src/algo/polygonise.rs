@@ -27,7 +27,7 @@ pub struct Quads {
 }
 
 impl Quads {
-    /// Places of all vertices, those in the middle of edges included, from places of the first ones.
+    /// Places of all vertices, m, those in the middle of edges included, from places of the first ones.
     pub fn points(&self, mut places: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
         let middles = self.middles.iter().map(|ends| {
             let [a, b] = ends.map(|v| places[v as usize]);

@@ -34,7 +34,7 @@ pub struct Comparison {
     pub correlation: f64,
 }
 
-/// Compares B with A and gives B − A (NaN where either lacks data). **Cost** O(n).
+/// Compares B with A and gives B − A in m (NaN where either lacks data). **Cost** O(n).
 ///
 /// ```
 /// use landform_core::analysis::compare;

@@ -75,7 +75,7 @@ const BARE: f64 = 0.02;
 /// Bins of slip faces' directions.
 const BINS: usize = 36;
 
-/// Measures dunes on a raster; `torus` if its sides meet. **Cost** O(n · spacing / cell).
+/// Measures dunes on a raster of elevations and sand (m), with an angle of repose in rad; `torus` if its sides meet. **Cost** O(n · spacing / cell).
 pub fn dunes(grid: &Grid, z: &[f64], sand: &[f64], rose: &Rose, repose: f64, torus: bool) -> Dunes {
     let n = z.len();
     let cell = grid.spacing[0].min(grid.spacing[1]);

@@ -136,7 +136,7 @@ fn laplacian_skew(shape: Shape, z: &[f64]) -> f64 {
     moment(3) / (variance * variance.sqrt())
 }
 
-/// Routes flow over a raster and returns its form.
+/// Routes flow over a raster of elevations (m) and returns its form.
 pub fn form_of(grid: &Grid, domain: &RasterDomain, z: &[f64]) -> Form {
     let (mut flow, mut area) = (Flow::new(), vec![0.0; domain.len()]);
     flow.route(domain, z, &mut area);

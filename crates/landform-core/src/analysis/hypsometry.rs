@@ -16,7 +16,7 @@ use crate::{math, parallel};
 /// The hypsometric curve and what follows from it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hypsometry {
-    /// (mean − min)/(max − min); NaN for flat ground.
+    /// Ratio (mean − min)/(max − min); NaN for flat ground.
     pub integral: f64,
     /// The same with elevations cut to their 0.1st and 99.9th percentiles: it does not depend on two cells.
     pub integral_clipped: f64,
@@ -37,9 +37,9 @@ pub struct Hypsometry {
 /// Strahler's family y = [(d − X)/X · a/(d − a)]^z, X = (d − a) x + a.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ModelCurve {
-    /// a/d, 0 to 1.
+    /// Ratio a/d, 0 to 1.
     pub ratio: f64,
-    /// z.
+    /// Exponent z.
     pub exponent: f64,
     /// Root mean square distance from the curve, in relative elevation.
     pub rms: f64,
@@ -83,7 +83,7 @@ impl HypsometricClass {
     }
 }
 
-/// Hypsometry of elevations of equal areas; NaN is ignored. **Cost** O(n log n).
+/// Hypsometry of elevations (m) of equal areas; NaN is ignored. **Cost** O(n log n).
 ///
 /// ```
 /// use landform_core::analysis::hypsometry;
@@ -97,7 +97,7 @@ pub fn hypsometry(elevation: &[f64]) -> Hypsometry {
     of_sorted(&z)
 }
 
-/// As [`hypsometry`], of elevations sorted from the highest down.
+/// As [`hypsometry`], of elevations (m) sorted from the highest down.
 pub fn of_sorted(z: &[f64]) -> Hypsometry {
     let (Some(&max), Some(&min)) = (z.first(), z.last()) else { return flat() };
     if !(max > min) {

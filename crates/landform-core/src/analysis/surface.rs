@@ -44,7 +44,7 @@ pub struct Surface {
     pub local_relief: f64,
 }
 
-/// The surface of a raster; none if no node has eight neighbours with data. **Cost** O(n log n).
+/// The surface of a raster of elevations (m); none if no node has eight neighbours with data. **Cost** O(n log n).
 pub fn surface(grid: &Grid, z: &[f64]) -> Option<Surface> {
     let whole = |i: usize| has_all_neighbours(grid, z, i);
     let mut slopes: Vec<f64> =

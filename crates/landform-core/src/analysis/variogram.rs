@@ -21,21 +21,21 @@ pub const LAGS: [usize; 6] = [1, 2, 4, 8, 16, 32];
 pub struct Variogram {
     /// (lag in m, mean squared difference in m²), rows and columns together.
     pub points: Vec<(f64, f64)>,
-    /// H over all lags.
+    /// Exponent H over all lags.
     pub hurst: f64,
-    /// H over lags 1 to 4: how smooth the finest ground is.
+    /// Exponent H over lags 1 to 4: how smooth the finest ground is.
     pub hurst_near: f64,
-    /// H over lags 8 to 32.
+    /// Exponent H over lags 8 to 32.
     pub hurst_far: f64,
-    /// H along rows alone.
+    /// Exponent H along rows alone.
     pub hurst_rows: f64,
-    /// H along columns alone.
+    /// Exponent H along columns alone.
     pub hurst_columns: f64,
-    /// H after removing the best plane.
+    /// Exponent H after removing the best plane.
     pub hurst_detrended: f64,
 }
 
-/// The variogram of a raster. **Cost** O(n).
+/// The variogram of a raster of elevations (m). **Cost** O(n).
 pub fn variogram(grid: &Grid, z: &[f64]) -> Variogram {
     let (rows, columns) = (sums(grid, z, false), sums(grid, z, true));
     let mean = |s: &(f64, f64)| s.0 / s.1;

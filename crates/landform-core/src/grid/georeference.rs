@@ -46,7 +46,7 @@ pub struct GeoKeys {
 /// Longitude and latitude of local metres.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Degrees {
-    /// Longitude and latitude of (0, 0).
+    /// Longitude and latitude of (0, 0), degrees.
     pub origin: [f64; 2],
     /// Metres in a degree of longitude and of latitude.
     pub metres: [f64; 2],

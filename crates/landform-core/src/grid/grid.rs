@@ -157,7 +157,7 @@ impl Grid {
         [(x - west) / self.spacing[0] - col as f64, (north - y) / self.spacing[1] - row as f64]
     }
 
-    /// The node nearest to a position inside the raster.
+    /// The node nearest to a position (m) inside the raster.
     pub fn node_at(&self, position: [f64; 2]) -> Option<usize> {
         let [c, r] = self.col_row(position).map(f64::round);
         let is_in = c >= 0.0 && r >= 0.0 && c < self.shape.cols as f64 && r < self.shape.rows as f64;
@@ -254,7 +254,7 @@ impl Grid {
         self.spacing[0] * self.spacing[1]
     }
 
-    /// A grid over the same ground with another shape.
+    /// A grid over the same ground with cells of another size, m.
     ///
     /// # Errors
     /// Where [`Grid::new`] fails.
@@ -276,7 +276,7 @@ impl Grid {
         Ok(self.place(Self::new(Shape::new(rows, cols), [spacing(0, cols), spacing(1, rows)])?))
     }
 
-    /// Another spacing and shape from the same north-west corner.
+    /// Another spacing (m) and shape from the same north-west corner.
     ///
     /// # Errors
     /// Where [`Grid::new`] fails.

@@ -14,7 +14,7 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// A box that ends at its sides.
+    /// A box of sites, `spacing` metres apart, that ends at its sides.
     ///
     /// # Errors
     /// [`Error::Parameter`] for an axis without sites, more sites than a 32-bit index can name, or a spacing that is not

@@ -35,12 +35,12 @@ impl Stop {
         Self { steps: Some(steps), ..Self::default() }
     }
 
-    /// Stop when steady.
+    /// Stop when steady: a part of what uplift alone would have raised.
     pub fn steady(tolerance: f64) -> Self {
         Self { steady: Some(tolerance), ..Self::default() }
     }
 
-    /// Also stop when steady.
+    /// Also stop when steady: a part of what uplift alone would have raised.
     pub fn or_steady(self, tolerance: f64) -> Self {
         Self { steady: Some(tolerance), ..self }
     }

@@ -243,7 +243,7 @@ fn sample_within(interpolation: Interpolation, grid: &Grid, values: &[f64], node
     2.0 * sample_by(interpolation, grid, values, edge) - sample_by(interpolation, grid, values, mirrored)
 }
 
-/// Value of a raster at a position by either interpolation, NaN outside or beside nodata.
+/// Value of a raster at a position (m) by either interpolation, NaN outside or beside nodata.
 pub fn sample_by(interpolation: Interpolation, grid: &Grid, values: &[f64], position: [f64; 2]) -> f64 {
     let linear = height_field::sample(grid, values, position);
     if interpolation == Interpolation::Linear || linear.is_nan() {
@@ -287,7 +287,7 @@ fn on_rim(grid: &Grid, i: usize) -> bool {
     cell.row == 0 || cell.col == 0 || cell.row + 1 == grid.shape.rows || cell.col + 1 == grid.shape.cols
 }
 
-/// Points (x, y, z) and counter-clockwise triangles of a raster; squares with a nodata corner are left out.
+/// Points (x, y, z in m) and counter-clockwise triangles of a raster; squares with a nodata corner are left out.
 pub fn mesh_parts_from_height_field(field: &HeightField) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let shape = field.grid().shape;
     let z = field.elevation();

@@ -5,9 +5,9 @@ use super::{HeightField, Mesh, NodeSurface, Terrain};
 /// A box: least and greatest x, y, z, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Least coordinates.
+    /// Least coordinates, m.
     pub low: [f64; 3],
-    /// Greatest coordinates.
+    /// Greatest coordinates, m.
     pub high: [f64; 3],
 }
 

@@ -120,7 +120,7 @@ impl HeightField {
         self.valid.iter().filter(|v| !**v).count()
     }
 
-    /// Bilinear elevation at a position, or NaN outside or beside nodata.
+    /// Bilinear elevation (m) at a position, or NaN outside or beside nodata.
     pub fn elevation_at(&self, position: [f64; 2]) -> f64 {
         sample(&self.grid, &self.elevation, position)
     }

@@ -49,9 +49,9 @@ struct Loose {
 /// Volumes of a material that have moved since the layers were made, m³.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MovedVolume {
-    /// Removed from the ground.
+    /// Removed from the ground, m³.
     pub eroded: f64,
-    /// Deposited.
+    /// Deposited, m³.
     pub deposited: f64,
 }
 
@@ -178,12 +178,12 @@ impl Layers {
         self.beds.as_ref().map(|beds| beds.datum[node])
     }
 
-    /// The strata under a node whose surface stands at `z`, from the surface down.
+    /// The strata under a node whose surface stands at `z` metres, from the surface down.
     pub fn column(&self, node: usize, z: f64) -> Column<'_> {
         Column { layers: self, node, top: z, loose: self.loose.len() }
     }
 
-    /// The material at the surface of a node at `z`. Films thinner than a millimetre are ignored.
+    /// The material at the surface of a node at `z` metres. Films thinner than a millimetre are ignored.
     pub fn surface(&self, node: usize, z: f64) -> &Material {
         self.materials.get(self.surface_number(node, z))
     }
@@ -201,7 +201,7 @@ impl Layers {
         number
     }
 
-    /// The elevation to which ground can stand at a node at `z`, `length` from a place at `base`: each stratum rises at its own
+    /// The elevation (m) to which ground can stand at a node at `z`, `length` from a place at `base`: each stratum rises at its own
     /// angle of repose.
     pub fn stable_height(&self, node: usize, z: f64, base: f64, length: f64) -> f64 {
         // Strata from the surface down to the base, climbed from the lowest.

@@ -44,7 +44,7 @@ pub struct MaterialParams {
     /// How readily water dissolves it: 0 not at all, 1 as pure limestone.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub solubility: Option<Ratio>,
-    /// Density of the bulk, kg/m3.
+    /// Density of the bulk, kg/m³.
     #[schemars(extend("x-above" = 0.0, "x-max" = 30_000.0))]
     pub density: Option<f64>,
 }

@@ -93,7 +93,7 @@ impl Formula {
         &self.text
     }
 
-    /// Value at a position within bounds.
+    /// Value, in the unit that goes with the formula, at a position (m) within bounds.
     pub fn at(&self, [lo, hi]: [[f64; 2]; 2], [x, y]: [f64; 2], z: f64, seed: Seed) -> f64 {
         let (w, h) = (hi[0] - lo[0], hi[1] - lo[1]);
         let unit = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.5 };

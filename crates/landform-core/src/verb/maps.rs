@@ -14,7 +14,7 @@ pub struct Image {
     pub rows: usize,
     /// Columns.
     pub cols: usize,
-    /// Row-major values.
+    /// Row-major values, a part of white.
     pub values: Vec<f64>,
 }
 

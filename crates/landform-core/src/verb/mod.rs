@@ -238,15 +238,15 @@ pub struct Step {
 /// Two sums must close: Δvolume = supplied + deposited − eroded, and eroded = deposited + exported + Δcarried.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, serde::Deserialize)]
 pub struct Change {
-    /// Brought in from outside: uplift, growth.
+    /// Brought in from outside, m³: uplift, growth.
     pub supplied: f64,
-    /// Removed from the ground.
+    /// Removed from the ground, m³.
     pub eroded: f64,
-    /// Deposited on the ground.
+    /// Deposited on the ground, m³.
     pub deposited: f64,
-    /// Left the domain.
+    /// Left the domain, m³.
     pub exported: f64,
-    /// In transport at the end of the step less at its start.
+    /// In transport, m³: at the end of the step less at its start.
     pub carried: f64,
     /// The greatest height by which supply raised the ground, m.
     pub raised: f64,

@@ -28,9 +28,9 @@ pub enum Stopped {
 pub struct Budget {
     /// Sums over all steps and processes.
     pub change: Change,
-    /// Volume of the terrain at the start.
+    /// Volume of the terrain at the start, m³.
     pub volume_start: f64,
-    /// Volume of the terrain at the end.
+    /// Volume of the terrain at the end, m³.
     pub volume_end: f64,
 }
 

@@ -10,7 +10,7 @@ pub trait Output {
     /// Puts a whole file at a path relative to the place, all of it or nothing.
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be written, [`Error::Parameter`] if the path leads out of the place.
+    /// [`Error::Io`] if the file cannot be written, [`Error::Outside`] if the path leads out of the place.
     fn put(&mut self, path: &str, bytes: &[u8]) -> Result<()>;
 
     /// Takes note of what a file that was put does not hold of the landscape; a place without notes drops it.
@@ -43,16 +43,16 @@ impl Output for MemoryOutput {
     }
 }
 
-/// Refuses a path that names no file or does not end as one of `ends`.
+/// Refuses a path that names no file or does not end as one of `ends`, given without their dot.
 ///
 /// # Errors
-/// [`Error::Parameter`] if the path names no file or has another ending.
-pub fn check_path(path: &str, ends: &[&str]) -> Result<()> {
+/// [`Error::Parameter`] if the path names no file, [`Error::Extension`] if it has another ending.
+pub fn check_path(path: &str, ends: &[&'static str]) -> Result<()> {
     file_path(path)?;
-    if ends.iter().any(|e| path.to_lowercase().ends_with(e)) {
+    if ends.iter().any(|e| path.to_lowercase().ends_with(&format!(".{e}"))) {
         return Ok(());
     }
-    Err(Error::parameter("path", format!("\"{path}\""), &format!("a name that ends with {}", ends.join(" or "))))
+    Err(Error::extension("path", path, ends))
 }
 
 /// The path, if it can be that of a file: not empty, no folder, and not in the folder in which runs keep their state.
@@ -75,7 +75,7 @@ pub fn file_path(path: &str) -> Result<&str> {
 /// The path, if it names a file below where it is put.
 ///
 /// # Errors
-/// [`Error::Parameter`] if the path leads out of that place.
+/// [`Error::Outside`] if the path leads out of that place.
 ///
 /// ```
 /// # use landform_core::verb::relative_path;
@@ -86,7 +86,7 @@ pub fn file_path(path: &str) -> Result<&str> {
 pub fn relative_path(path: &str) -> Result<&str> {
     let inside = Path::new(path).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
     if !inside {
-        return Err(Error::parameter("path", format!("\"{path}\""), "a file name, below the output folder"));
+        return Err(Error::Outside { name: "path".into(), path: path.into(), by_link: false });
     }
     file_path(path)
 }

@@ -8,6 +8,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::Reach;
+use crate::error::Range;
 use crate::{Error, Result};
 
 /// A published source of a method.
@@ -122,7 +123,7 @@ fn choices(property: &Value, definitions: &Value) -> Vec<String> {
 /// too.
 ///
 /// # Errors
-/// [`Error::Parameter`] for the first value outside, with its name as a path: "grid.cell_size".
+/// [`Error::OutOfRange`] for the first value outside, with its name as a path: "grid.cell_size".
 pub fn validate_ranges(schema: &Value, values: &Value) -> Result<()> {
     within(schema, &schema["$defs"], values, "")
 }
@@ -134,14 +135,9 @@ fn within(schema: &Value, definitions: &Value, values: &Value, prefix: &str) -> 
     for (name, property) in properties {
         let Some(value) = values.get(name) else { continue };
         let path = format!("{prefix}{name}");
-        for (number, text) in numbers(value) {
-            let bound = |key: &str| property[key].as_f64();
-            let inside = bound("x-min").is_none_or(|b| number >= b * (1.0 - 1e-9))
-                && bound("x-max").is_none_or(|b| number <= b * (1.0 + 1e-9))
-                && bound("x-above").is_none_or(|b| number > b);
-            if !inside {
-                return Err(Error::parameter(&path, text, &range_text(property)));
-            }
+        let range = range_of(property);
+        if let Some((value, text)) = numbers(value).into_iter().find(|(number, _)| !range.contains(*number)) {
+            return Err(Error::OutOfRange { name: path, value, text, range });
         }
         if let Some(table) = table_of(property, definitions) {
             let tables = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);
@@ -172,16 +168,11 @@ fn refuse_courses(schema: &Value, values: &Value, allowed: &[&str]) -> Result<()
     Ok(())
 }
 
-/// A range in words: "> 0 and at most 4 m".
-pub(crate) fn range_text(property: &Value) -> String {
-    let unit = property["x-unit"].as_str().filter(|u| *u != "1").map(|u| format!(" {u}")).unwrap_or_default();
-    let mut parts = Vec::new();
-    for (key, word) in [("x-above", ">"), ("x-min", "at least"), ("x-max", "at most")] {
-        if let Some(b) = property[key].as_f64() {
-            parts.push(format!("{word} {b}{unit}"));
-        }
-    }
-    parts.join(" and ")
+/// The range that a property of a schema is declared with.
+fn range_of(property: &Value) -> Range {
+    let bound = |key: &str| property[key].as_f64();
+    let unit = property["x-unit"].as_str().filter(|u| *u != "1").unwrap_or_default().to_string();
+    Range { above: bound("x-above"), least: bound("x-min"), most: bound("x-max"), unit }
 }
 
 /// The numbers in a parameter's value, in its customary unit, each with its text.

@@ -103,7 +103,7 @@ pub enum Resolved {
 }
 
 impl Resolved {
-    /// Value at a node.
+    /// Value at a node, SI.
     #[inline]
     pub fn at(&self, node: usize) -> f64 {
         match self {
@@ -112,7 +112,7 @@ impl Resolved {
         }
     }
 
-    /// The greatest value.
+    /// The greatest value, SI.
     pub fn max(&self) -> f64 {
         match self {
             Self::Uniform(v) => *v,

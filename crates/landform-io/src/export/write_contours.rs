@@ -47,7 +47,7 @@ impl Params for WriteContours {
     }
 
     fn check(&self) -> Result<()> {
-        check_path(&self.path, &[".geojson", ".json"])
+        check_path(&self.path, &["geojson", "json"])
     }
 }
 

@@ -80,11 +80,7 @@ impl Params for WriteFeatures {
     fn check(&self) -> Result<()> {
         file_path(&self.path)?;
         let known = [".geojson", ".json"].iter().any(|e| self.path.to_lowercase().ends_with(e));
-        if known {
-            Ok(())
-        } else {
-            Err(Error::parameter("path", format!("\"{}\"", self.path), "a name that ends with .geojson"))
-        }
+        if known { Ok(()) } else { Err(Error::extension("path", &self.path, &["geojson"])) }
     }
 }
 

@@ -101,7 +101,7 @@ impl Params for WritePicture {
             return Err(Error::parameter("zoom", "not a finite number", "a number such as 1.5"));
         }
         if !self.path.to_lowercase().ends_with(".png") {
-            return Err(Error::parameter("path", format!("\"{}\"", self.path), "a name that ends with .png"));
+            return Err(Error::extension("path", &self.path, &["png"]));
         }
         Ok(())
     }

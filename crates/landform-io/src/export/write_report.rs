@@ -36,7 +36,7 @@ impl Params for WriteReport {
     }
 
     fn check(&self) -> Result<()> {
-        check_path(&self.path, &[".html", ".htm"])
+        check_path(&self.path, &["html", "htm"])
     }
 }
 

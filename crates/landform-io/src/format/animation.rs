@@ -15,7 +15,7 @@ type Pixels = [[u8; 3]];
 /// An animation that plays for ever, as the extension of `path` says: gif, or png and apng.
 ///
 /// # Errors
-/// [`Error::Parameter`] for another extension, [`Error::Format`] for frames that differ in size, or none.
+/// [`Error::Extension`] for another extension, [`Error::Format`] for frames that differ in size, or none.
 pub fn encode_animation(path: &str, shape: Shape, frames: &[&Pixels]) -> Result<Vec<u8>> {
     if frames.is_empty() {
         return Err(Error::format("animation", "it has no frames"));
@@ -32,12 +32,12 @@ pub fn encode_animation(path: &str, shape: Shape, frames: &[&Pixels]) -> Result<
 /// The extension of an animation's path.
 ///
 /// # Errors
-/// [`Error::Parameter`] if it is none of gif, png, apng.
+/// [`Error::Extension`] if it is none of gif, png, apng.
 pub fn animation_extension(path: &str) -> Result<&'static str> {
     let lower = path.to_lowercase();
-    ["gif", "apng", "png"].into_iter().find(|e| lower.ends_with(&format!(".{e}"))).ok_or_else(|| {
-        Error::parameter("animation", format!("\"{path}\""), "a name that ends with .gif, .png or .apng")
-    })
+    let known = ["gif", "apng", "png"];
+    let found = known.into_iter().find(|e| lower.ends_with(&format!(".{e}")));
+    found.ok_or_else(|| Error::extension("animation", path, &known))
 }
 
 fn gif(shape: Shape, frames: &[&Pixels]) -> Result<Vec<u8>> {

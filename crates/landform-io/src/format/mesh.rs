@@ -71,7 +71,7 @@ pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
     MeshFile { points, triangles, middle: Some(middle(field)) }
 }
 
-/// The surface of the water on a raster where it is at least `least` deep, by its field of depth.
+/// The surface of the water on a raster where it is at least `least` metres deep, by its field of depth.
 ///
 /// # Errors
 /// If the terrain lacks that field, or has no water.

@@ -21,7 +21,7 @@ pub enum Samples {
 pub struct RasterFile<'a> {
     /// The grid.
     pub grid: &'a Grid,
-    /// Values, row-major from the north-west; NaN is nodata.
+    /// Values, in `unit`, row-major from the north-west; NaN is nodata.
     pub values: &'a [f64],
     /// Name of the field.
     pub field: &'a str,
@@ -66,7 +66,7 @@ impl RasterFile<'_> {
         format!("{path} holds 32-bit floats: heights from {lo} to {hi} m come out in steps of {step} m")
     }
 
-    /// Least and greatest value; (0, 0) without data.
+    /// Least and greatest value, in `unit`; (0, 0) without data.
     pub fn range(&self) -> (f64, f64) {
         let finite = self.values.iter().copied().filter(|v| v.is_finite());
         let range = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
@@ -78,6 +78,17 @@ impl RasterFile<'_> {
 pub(crate) const SEEN: f64 = 1e-4;
 
 /// What a file of this name loses of a raster's values, if 32-bit floats are all that its format has and they blur them.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_io::format::{RasterFile, blurred};
+///
+/// let grid = Grid::new(Shape::new(1, 2), [10.0, 10.0])?;
+/// let file = RasterFile::real(&grid, &[1e6, 1e6 + 0.01], "elevation", "m", 0);
+/// assert!(blurred("a.glb", &file).is_some_and(|note| note.contains("steps of 0.0625 m")));
+/// assert_eq!(blurred("a.tif", &file), None);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 pub fn blurred(path: &str, file: &RasterFile) -> Option<String> {
     let is_narrow = ends_with_one_of(path, &[".exr", ".glb", ".stl"]);
     (is_narrow && file.needs_float64(SEEN)).then(|| file.blur_text(path))

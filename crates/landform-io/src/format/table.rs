@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use landform_core::error::nearest;
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::HeightField;
 use landform_core::{Error, Result};
@@ -148,16 +147,14 @@ fn extension(path: &Path) -> String {
     path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
 
-fn unknown(path: &Path, known: &[&str]) -> Error {
-    let near = nearest(&extension(path), known.iter().copied()).map(|n| format!(" (.{n}?)")).unwrap_or_default();
-    let expected = format!("a name that ends with one of .{}{near}", known.join(", ."));
-    Error::parameter("path", format!("\"{}\"", path.display()), &expected)
+fn unknown(path: &Path, known: &[&'static str]) -> Error {
+    Error::extension("path", &path.display().to_string(), known)
 }
 
 /// The raster format of a path.
 ///
 /// # Errors
-/// [`Error::Format`] with the extensions that are known.
+/// [`Error::Extension`] with the extensions that are known.
 pub fn raster_format(path: &Path) -> Result<&'static RasterFormat> {
     let wanted = extension(path);
     RASTER_FORMATS.iter().find(|f| f.extensions.contains(&wanted.as_str())).ok_or_else(|| {
@@ -181,7 +178,7 @@ pub fn raster_format_to_write(path: &Path) -> Result<&'static RasterFormat> {
 /// The mesh format of a path.
 ///
 /// # Errors
-/// [`Error::Format`] with the extensions that are known.
+/// [`Error::Extension`] with the extensions that are known.
 pub fn mesh_format(path: &Path) -> Result<&'static MeshFormat> {
     let wanted = extension(path);
     MESH_FORMATS.iter().find(|f| f.extension == wanted).ok_or_else(|| {
@@ -208,6 +205,16 @@ pub fn read_raster(path: &Path) -> Result<Reading> {
 }
 
 /// The grid that [`read_raster`] gives a file, without its samples; none where they must be read to find it.
+///
+/// ```
+/// # let path = std::env::temp_dir().join(format!("landform-grid-{}.asc", std::process::id()));
+/// let text = "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 30\n100 120\n";
+/// std::fs::write(&path, text).expect("a folder for temporary files");
+/// let grid = landform_io::format::read_grid(&path)?.expect("a header");
+/// assert_eq!((grid.shape.cols, grid.spacing), (2, [30.0, 30.0]));
+/// # std::fs::remove_file(&path).ok();
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::Io`] or [`Error::Format`], naming the file.

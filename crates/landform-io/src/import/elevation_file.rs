@@ -79,12 +79,7 @@ impl ElevationFile {
     fn in_metres(&self, mut grid: Grid) -> Result<Grid> {
         if in_degrees(&grid) {
             if !self.degrees_to_metres {
-                let value = format!("\"{}\", which is in degrees of longitude and latitude", self.path);
-                return Err(Error::parameter(
-                    "path",
-                    value,
-                    "metres; set degrees_to_metres = true, or warp it to UTM first",
-                ));
+                return Err(Error::InDegrees { path: self.path.clone(), convertible: true });
             }
             metres_from_degrees(&mut grid)?;
         }

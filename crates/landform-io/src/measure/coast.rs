@@ -37,7 +37,7 @@ impl Params for MeasureCoast {
     }
 
     fn check(&self) -> Result<()> {
-        check_path(&self.path, &[".json"])
+        check_path(&self.path, &["json"])
     }
 }
 

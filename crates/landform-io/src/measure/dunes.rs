@@ -49,7 +49,7 @@ impl Params for MeasureDunes {
         if !self.wind.is_empty() {
             Rose::new("wind", &self.wind)?;
         }
-        check_path(&self.path, &[".json"])
+        check_path(&self.path, &["json"])
     }
 }
 

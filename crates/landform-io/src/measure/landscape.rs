@@ -35,7 +35,7 @@ impl Params for MeasureLandscape {
     }
 
     fn check(&self) -> Result<()> {
-        check_path(&self.path, &[".json"])
+        check_path(&self.path, &["json"])
     }
 }
 

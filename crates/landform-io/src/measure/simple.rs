@@ -73,7 +73,7 @@ macro_rules! measure {
             }
 
             fn check(&self) -> Result<()> {
-                check_path(&self.path, &[".json"])
+                check_path(&self.path, &["json"])
             }
         }
 

@@ -108,7 +108,7 @@ fn logarithms(values: &[f64]) -> Vec<f64> {
     values.iter().map(|&v| if v.is_nan() { v } else { math::log10(v.max(least)) }).collect()
 }
 
-/// Heights gained (red) and lost (blue) over grey relief; colours are as strong as the amount against its 99th percentile.
+/// Heights in m gained (red) and lost (blue) over grey relief; colours are as strong as the amount against its 99th percentile.
 ///
 /// # Errors
 /// Where [`HeightField::new`] fails.

@@ -30,7 +30,7 @@ pub struct ComparisonReport {
     pub map: Picture,
 }
 
-/// Compares two rasters that lie node on node.
+/// Compares two rasters (m) that lie node on node.
 ///
 /// # Errors
 /// As [`compare`] and [`Analysis::of`].

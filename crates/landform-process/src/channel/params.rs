@@ -176,7 +176,7 @@ impl ChannelErosion {
             ("roughness", self.roughness.is_some()),
         ];
         match given.into_iter().find(|(_, is_given)| *is_given && self.transport != Transport::Pipes) {
-            Some((name, _)) => Err(Error::parameter(name, "given alone", "together with transport = \"pipes\"")),
+            Some((name, _)) => Err(Error::Incomplete { name: name.into(), needs: "transport = \"pipes\"" }),
             None => Ok(()),
         }
     }
@@ -236,7 +236,7 @@ impl Params for ChannelErosion {
             return Err(Error::parameter("smoothing", "\"everywhere\" with `graded_slope`", allowed));
         }
         if self.settling_length.is_some() && self.graded_slope.is_none() {
-            return Err(Error::parameter("settling_length", "given alone", "together with graded_slope"));
+            return Err(Error::Incomplete { name: "settling_length".into(), needs: "graded_slope" });
         }
         self.check_pipes()?;
         if self.springs.iter().any(|s| !(s.discharge.si() > 0.0)) {

@@ -203,7 +203,7 @@ impl Params for CoastErosion {
             ));
         }
         if self.weakening_factor.is_some() && self.weakening.is_none() {
-            return Err(Error::parameter("weakening_factor", "given alone", "together with weakening"));
+            return Err(Error::Incomplete { name: "weakening_factor".into(), needs: "weakening" });
         }
         match self.until {
             Until::Land { land } if !(0.0..1.0).contains(&land) => {

@@ -65,7 +65,7 @@ impl Field {
             }
             let depth = more.at(i);
             if depth < 0.0 {
-                return Err(Error::parameter("sand", format!("{depth} m at node {i}"), "at least 0 m everywhere"));
+                return Err(Error::AtNode { name: "sand".into(), node: i, value: depth, expected: "at least 0 m" });
             }
             // Whole slabs, rounded at random, are the first unevenness on which the wind acts.
             let uneven = if context.step == 0 { context.seed.uniform(i as u64) } else { 0.0 };

@@ -8,7 +8,7 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Faulting, Flat, GridParams, MidpointDisplacement, Noise, OnGrid, Shape, SpectralFbm, Surface};
+use super::{GridParams, Layer, Noise, OnGrid};
 
 /// Blends another surface with the ground: another landscape of the recipe (`with = ["label"]`), or any generator on the
 /// landscape's own raster. It is added or subtracted, replaces the ground, or the higher or lower of the two is kept; everywhere
@@ -26,26 +26,6 @@ pub struct Blend {
     /// Higher and lower: height over which one surface passes into the other.
     #[schemars(extend("x-min" = 0.0))]
     pub softness: Length,
-}
-
-/// A generator that works on any raster.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(tag = "use", rename_all = "snake_case")]
-pub enum Layer {
-    /// Ground broken by faults.
-    Faulting(Faulting),
-    /// Level ground.
-    Flat(Flat),
-    /// Fractal ground by subdivision.
-    MidpointDisplacement(MidpointDisplacement),
-    /// Octaves of noise.
-    Noise(Noise),
-    /// A simple shape.
-    Shape(Shape),
-    /// Fractional Brownian ground.
-    SpectralFbm(SpectralFbm),
-    /// Ground from a map or a formula.
-    Surface(Surface),
 }
 
 /// How two surfaces are put together.
@@ -71,22 +51,8 @@ impl Default for Blend {
     }
 }
 
-impl Layer {
-    fn generator(&self) -> &dyn LayerGenerator {
-        match self {
-            Self::Faulting(p) => p,
-            Self::Flat(p) => p,
-            Self::MidpointDisplacement(p) => p,
-            Self::Noise(p) => p,
-            Self::Shape(p) => p,
-            Self::SpectralFbm(p) => p,
-            Self::Surface(p) => p,
-        }
-    }
-}
-
 /// What [`Blend`] needs of a generator.
-trait LayerGenerator {
+pub(super) trait LayerGenerator {
     fn on(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>>;
     fn check_layer(&self) -> Result<()>;
     fn reach_of_layer(&self) -> Reach;

@@ -8,7 +8,7 @@ use landform_core::{Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GridParams, OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid};
 
 /// Ground broken by straight faults, each of which lifts one side. Many faults make Brownian ground (H = 1/2), few make blocks.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -64,5 +64,3 @@ impl OnGrid for Faulting {
         Ok(z)
     }
 }
-
-generator_on_grid!(Faulting);

@@ -7,7 +7,7 @@ use landform_core::verb::{Context, Params, Reach, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GridParams, OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid};
 
 /// Level ground on a raster.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -44,5 +44,3 @@ impl OnGrid for Flat {
         Ok(vec![self.elevation.si(); grid.len()])
     }
 }
-
-generator_on_grid!(Flat);

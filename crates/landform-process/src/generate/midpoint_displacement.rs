@@ -8,7 +8,7 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GridParams, OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid};
 
 /// Fractal ground by random midpoint displacement: a few coarse heights are refined again and again with smaller random offsets.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -134,8 +134,6 @@ impl OnGrid for MidpointDisplacement {
         64 * nodes
     }
 }
-
-generator_on_grid!(MidpointDisplacement);
 
 #[cfg(test)]
 mod tests {

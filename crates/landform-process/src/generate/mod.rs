@@ -27,7 +27,7 @@ mod stream_graph;
 mod surface;
 
 pub use crate::mechanism::GridParams;
-pub use blend::{Blend, BlendMode, Layer};
+pub use blend::{Blend, BlendMode};
 pub use faulting::Faulting;
 pub use flat::Flat;
 pub use layered_ground::{BedParams, LayeredGround, LooseParams};
@@ -41,7 +41,9 @@ pub use surface::Surface;
 use landform_core::Result;
 use landform_core::grid::Grid;
 use landform_core::terrain::{HeightField, Mesh};
-use landform_core::verb::{Context, Estimate, Params};
+use landform_core::verb::{Context, Estimate, Generator, Params};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 landform_core::stages! {
     generate StreamGraph => Mesh;
@@ -84,24 +86,49 @@ fn alone_estimate(generator: &impl OnGrid, context: &Context) -> Result<Estimate
     Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent, ..Estimate::default() })
 }
 
-/// Implements `Generator<HeightField>` by [`OnGrid`].
-macro_rules! generator_on_grid {
-    ($name:ty) => {
-        impl landform_core::verb::Generator<landform_core::terrain::HeightField> for $name {
-            fn generate(
-                &self,
-                context: &landform_core::verb::Context,
-            ) -> landform_core::Result<landform_core::terrain::HeightField> {
-                super::alone(self, context)
+/// Makes generators of what is [`OnGrid`], and each a layer of [`Blend`].
+macro_rules! on_grid {
+    ($($(#[$doc:meta])* $name:ident,)*) => {
+        $(impl Generator<HeightField> for $name {
+            fn generate(&self, context: &Context) -> Result<HeightField> {
+                alone(self, context)
             }
 
-            fn estimate(
-                &self,
-                context: &landform_core::verb::Context,
-            ) -> landform_core::Result<landform_core::verb::Estimate> {
-                super::alone_estimate(self, context)
+            fn estimate(&self, context: &Context) -> Result<Estimate> {
+                alone_estimate(self, context)
+            }
+        })*
+
+        /// A generator that works on any raster.
+        #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+        #[serde(tag = "use", rename_all = "snake_case")]
+        pub enum Layer {
+            $($(#[$doc])* $name($name),)*
+        }
+
+        impl Layer {
+            fn generator(&self) -> &dyn blend::LayerGenerator {
+                match self {
+                    $(Self::$name(p) => p,)*
+                }
             }
         }
     };
 }
-use generator_on_grid;
+
+on_grid! {
+    /// Ground broken by faults.
+    Faulting,
+    /// Level ground.
+    Flat,
+    /// Fractal ground by subdivision.
+    MidpointDisplacement,
+    /// Octaves of noise.
+    Noise,
+    /// A simple shape.
+    Shape,
+    /// Fractional Brownian ground.
+    SpectralFbm,
+    /// Ground from a map or a formula.
+    Surface,
+}

@@ -8,7 +8,7 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GridParams, OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid};
 
 /// Ground from octaves of noise. Wavelengths are in metres: finer cells add detail and do not move the ground.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -132,5 +132,3 @@ impl OnGrid for Noise {
         Ok(elevations)
     }
 }
-
-generator_on_grid!(Noise);

@@ -7,7 +7,7 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GridParams, OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid};
 
 /// A simple shape between two elevations: initial ground, or a pattern for other stages.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -127,8 +127,6 @@ impl OnGrid for Shape {
         }))
     }
 }
-
-generator_on_grid!(Shape);
 
 #[cfg(test)]
 mod tests {

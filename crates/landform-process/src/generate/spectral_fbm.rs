@@ -11,7 +11,7 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GridParams, OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid};
 
 /// Fractional Brownian ground: rough at every scale, without rivers.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -90,8 +90,6 @@ impl OnGrid for SpectralFbm {
         if self.periodic { 24 * nodes } else { 24 * transform.map_or(0, |t| t.len() as u64) }
     }
 }
-
-generator_on_grid!(SpectralFbm);
 
 /// A periodic surface whose last row and column repeat the first; standard deviation 1.
 fn periodic(grid: &Grid, hurst: f64, context: &Context) -> Vec<f64> {

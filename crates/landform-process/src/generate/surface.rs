@@ -8,7 +8,7 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GridParams, OnGrid, generator_on_grid};
+use super::{GridParams, OnGrid};
 
 /// Ground from a picture, a raster, or a formula of x, y, u, v, r and noise().
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -45,5 +45,3 @@ impl OnGrid for Surface {
         }
     }
 }
-
-generator_on_grid!(Surface);

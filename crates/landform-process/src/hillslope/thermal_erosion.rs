@@ -81,7 +81,8 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
         let z = terrain.elevation();
         let is_wrong = |i: usize| !(z[i].is_nan() || angle.at(i) > 0.0 && angle.at(i) <= STEEPEST);
         if let Some(i) = parallel::find_first(z.len(), is_wrong) {
-            return Err(Error::parameter("talus_angle", format!("out of range at node {i}"), "0 to 85 deg everywhere"));
+            let expected = "an angle (rad) from 0 to 1.48, 85 deg,";
+            return Err(Error::AtNode { name: "talus_angle".into(), node: i, value: angle.at(i), expected });
         }
         Ok(State { angle: Some(angle) })
     }

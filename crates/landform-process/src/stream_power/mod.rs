@@ -173,7 +173,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         if let Resolved::PerNode(k) = &erodibility
             && let Some(i) = parallel::find_first(k.len(), |i| k[i] < 0.0)
         {
-            return Err(Error::parameter("erodibility", format!("negative at node {i}"), "at least 0 everywhere"));
+            return Err(Error::AtNode { name: "erodibility".into(), node: i, value: k[i], expected: "at least 0" });
         }
         let sea_level = self.sea_at(context.time, context.environment).unwrap_or(0.0);
         if let Some(outlets) = &self.outlets {
@@ -350,7 +350,7 @@ fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f6
     let valid = |i: usize| domain.status()[i] != Status::Masked;
     let relative = parallel::map(domain.len(), |i| if valid(i) { rain.at(i) / REFERENCE_RAIN } else { 0.0 });
     if let Some(i) = parallel::find_first(relative.len(), |i| !(relative[i] >= 0.0)) {
-        return Err(Error::parameter("rainfall", format!("negative or unknown at node {i}"), "at least 0 everywhere"));
+        return Err(Error::AtNode { name: "rainfall".into(), node: i, value: rain.at(i), expected: "at least 0" });
     }
     if !(parallel::max(relative.len(), |i| relative[i]) > 0.0) {
         return Err(Error::parameter("rainfall", "0 everywhere", "rain somewhere"));

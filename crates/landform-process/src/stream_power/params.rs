@@ -169,7 +169,7 @@ impl Params for StreamPower {
 
     fn check(&self) -> Result<()> {
         if self.talus_relaxation.is_some() && self.talus_angle.is_none() {
-            return Err(Error::parameter("talus_relaxation", "given alone", "together with talus_angle"));
+            return Err(Error::Incomplete { name: "talus_relaxation".into(), needs: "talus_angle" });
         }
         if self.threshold > 0.0 && self.deposition > 0.0 {
             return Err(Error::parameter(

@@ -343,10 +343,7 @@ impl EntryReader<'_> {
                 self.shape_error(name, &span, error.path(), &message, &known, node)
             }
             Refusal::Value(error) => {
-                let span = match &error {
-                    Error::Parameter { name, .. } => node.span_at(name),
-                    _ => node.span.clone(),
-                };
+                let span = error.parameter_name().map_or(node.span.clone(), |name| node.span_at(name));
                 self.error(&span, format!("`{name}`: {error}"), error.hint())
             }
         }

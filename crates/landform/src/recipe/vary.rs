@@ -92,7 +92,7 @@ pub struct Row {
     pub slope_area: SlopeArea,
     /// Numbers of the recipe's measures: the stage's label or name and the path of the number, and its value.
     pub measures: Vec<(String, f64)>,
-    /// Seconds of wall-clock time.
+    /// Wall-clock time, s.
     pub seconds: f64,
     /// The landscape, if it was to be kept.
     pub terrain: Option<Arc<AnyTerrain>>,

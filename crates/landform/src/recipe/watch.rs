@@ -99,13 +99,12 @@ impl Watch {
 
     pub(super) fn check(&self) -> Result<()> {
         for (key, path) in self.paths() {
-            file_path(path)
-                .map_err(|_| Error::parameter(key, format!("\"{path}\""), "a file name, below the output folder"))?;
+            file_path(path).map_err(|_| Error::Outside { name: key.into(), path: path.to_string(), by_link: false })?;
         }
         if let Some(path) = &self.table
             && !path.to_lowercase().ends_with(".csv")
         {
-            return Err(Error::parameter("table", format!("\"{path}\""), "a name that ends with .csv"));
+            return Err(Error::extension("table", path, &["csv"]));
         }
         if self.every.is_some() && self.steps.is_some() {
             return Err(Error::parameter("steps", "given beside `every`", "one of the two"));
@@ -116,7 +115,7 @@ impl Watch {
         if let Some(path) = &self.frames
             && !path.to_lowercase().ends_with(".png")
         {
-            return Err(Error::parameter("frames", format!("\"{path}\""), "a name that ends with .png"));
+            return Err(Error::extension("frames", path, &["png"]));
         }
         if self.table.is_none() && self.animation.is_none() && self.frames.is_none() {
             return Err(Error::parameter("watch", "without anything to write", "`table`, `animation` or `frames`"));

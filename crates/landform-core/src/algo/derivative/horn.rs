@@ -10,9 +10,9 @@ use crate::{math, parallel};
 /// Rise over run along x (east) and y (north).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gradient {
-    /// ∂z/∂x.
+    /// ∂z/∂x, rise over run.
     pub x: f64,
-    /// ∂z/∂y.
+    /// ∂z/∂y, rise over run.
     pub y: f64,
 }
 
@@ -73,7 +73,7 @@ pub(super) fn window(grid: &Grid, values: &[f64], node: usize) -> [f64; 9] {
     [nw, n, ne, w, z, e, sw, s, se]
 }
 
-/// The gradient at a node; NaN on nodata.
+/// The gradient (rise over run) at a node; NaN on nodata.
 pub fn gradient(grid: &Grid, values: &[f64], node: usize) -> Gradient {
     let [nw, n, ne, w, _, e, sw, s, se] = window(grid, values, node);
     Gradient {

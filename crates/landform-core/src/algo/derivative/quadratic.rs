@@ -12,9 +12,9 @@ use super::horn::{Gradient, window};
 /// First and second derivatives at a node, x east and y north.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadratic {
-    /// ∂z/∂x.
+    /// ∂z/∂x, rise over run.
     pub p: f64,
-    /// ∂z/∂y.
+    /// ∂z/∂y, rise over run.
     pub q: f64,
     /// ∂²z/∂x², 1/m.
     pub r: f64,
@@ -41,7 +41,7 @@ impl Quadratic {
     }
 }
 
-/// The quadratic at a node; NaN on nodata. Beyond the border and on nodata the surface goes on as a plane.
+/// The quadratic at a node, by values in m; NaN on nodata. Beyond the border and on nodata the surface goes on as a plane.
 pub fn quadratic(grid: &Grid, values: &[f64], node: usize) -> Quadratic {
     let [nw, n, ne, w, z, e, sw, s, se] = window(grid, values, node);
     let [dx, dy] = grid.spacing;
@@ -54,7 +54,7 @@ pub fn quadratic(grid: &Grid, values: &[f64], node: usize) -> Quadratic {
     }
 }
 
-/// The gradient through the four neighbours (Zevenbergen & Thorne 1987); NaN on nodata.
+/// The gradient (rise over run) through the four neighbours (Zevenbergen & Thorne 1987); NaN on nodata.
 pub fn gradient_of_four(grid: &Grid, values: &[f64], node: usize) -> Gradient {
     let [_, n, _, w, _, e, _, s, _] = window(grid, values, node);
     Gradient { x: (e - w) / (2.0 * grid.spacing[0]), y: (n - s) / (2.0 * grid.spacing[1]) }

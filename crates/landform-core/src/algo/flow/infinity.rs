@@ -35,7 +35,7 @@ pub struct Direction {
 const FACETS: [(u8, u8, f64); 8] =
     [(0, 1, 1.0), (2, 1, -1.0), (2, 3, 1.0), (4, 3, -1.0), (4, 5, 1.0), (6, 5, -1.0), (6, 7, 1.0), (0, 7, -1.0)];
 
-/// The direction of steepest descent at a node, if any neighbour is lower. Facets with a missing neighbour are left out.
+/// The direction of steepest descent (rad) at a node, if any neighbour is lower. Facets with a missing neighbour are left out.
 pub fn direction(domain: &RasterDomain, grid: &Grid, surface: &[f64], node: usize) -> Option<Direction> {
     let mut around = [f64::NAN; 8];
     for link in domain.neighbours(node) {

@@ -266,7 +266,7 @@ fn lowest<D: Domain>(domain: &D, elevation: &[f64], node: usize) -> Option<(usiz
     found
 }
 
-/// Area of every node, 0 where masked: what [`Flow::route`] turns into drainage area.
+/// Area of every node, m², 0 where masked: what [`Flow::route`] turns into drainage area.
 pub fn node_areas<D: Domain>(domain: &D) -> Vec<f64> {
     let status = domain.status();
     parallel::map(domain.len(), |i| if status[i] == Status::Masked { 0.0 } else { domain.area(i) })

@@ -87,6 +87,26 @@ impl Flow {
 
     /// As [`Flow::up`], with a second value of each node that is at hand where its first is found, and may change there:
     /// `value(node, its own, its receiver's new one, its second)`. Memory that is used twice is fetched once.
+    ///
+    /// ```
+    /// use landform_core::algo::flow::{Flow, node_areas};
+    /// use landform_core::grid::{Edge, Edges, Grid, RasterDomain, Shape};
+    ///
+    /// let mut grid = Grid::new(Shape::new(3, 4), [10.0, 10.0])?;
+    /// grid.edges = Edges { east: Edge::Open, ..Edges::all(Edge::Closed) };
+    /// let domain = RasterDomain::new(&grid, &[]);
+    /// let (mut flow, mut area) = (Flow::new(), node_areas(&domain));
+    /// let mut z = [3.0, 2.0, 1.0, 0.0].repeat(3);
+    /// flow.route(&domain, &z, &mut area);
+    /// // Every node sinks half of the way to its receiver; its area becomes what it sank.
+    /// flow.up_with(&mut z, &mut area, |_, own, below, area| {
+    ///     *area = 0.5 * (own - below);
+    ///     own - *area
+    /// });
+    /// assert_eq!(z[..4], [2.125, 1.25, 0.5, 0.0]);
+    /// assert_eq!(area[..3], [0.875, 0.75, 0.5]);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn up_with<T: Copy + Send + Sync, U: Copy + Send>(
         &self,
         values: &mut [T],

@@ -72,7 +72,7 @@ impl Midpoint {
         Shape::new(fine(self.shape.rows), fine(self.shape.cols))
     }
 
-    /// The surface. **Cost** O(n) in time and memory.
+    /// The surface, m. **Cost** O(n) in time and memory.
     pub fn surface(&self, seed: Seed) -> Vec<f64> {
         let shape = self.fine_shape();
         let mut z = vec![0.0; shape.len()];

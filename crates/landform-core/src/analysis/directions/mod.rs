@@ -87,7 +87,7 @@ const GATES: [(&str, f64, f64, &str); 11] = [
     ("slope_area_r2", 0.16, 0.97, "R2 of slope against area: above where nothing disturbs the law of rivers."),
 ];
 
-/// Measures the directions of a raster, with its network as it was measured. **Cost** O(n log n).
+/// Measures the directions of a raster of elevations (m), with its network as it was measured. **Cost** O(n log n).
 pub fn directions<D: Domain>(grid: &Grid, z: &[f64], drainage: &Drainage<D>, network: &Network) -> Directions {
     let slopes = parallel::map(z.len(), |i| math::atan(gradient(grid, z, i).slope()).to_degrees());
     // Water has no slope.

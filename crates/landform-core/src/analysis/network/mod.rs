@@ -43,7 +43,7 @@ pub fn channel_area(greatest: f64, node: f64) -> f64 {
     if greatest < 20.0 * usual { (greatest / 100.0).max(20.0 * node) } else { usual }
 }
 
-/// The network of a routed terrain. **Cost** O(n log n).
+/// The network of a routed terrain of elevations (m). **Cost** O(n log n).
 pub fn network<D: Domain>(drainage: &Drainage<D>, z: &[f64]) -> Network {
     let area = &drainage.area;
     let status = drainage.domain.status();
@@ -64,7 +64,7 @@ pub fn network<D: Domain>(drainage: &Drainage<D>, z: &[f64]) -> Network {
     }
 }
 
-/// Elevation with every depression cut through: the least elevation met upstream of or at each node, so that nothing rises
+/// Elevation (m) with every depression cut through: the least elevation met upstream of or at each node, so that nothing rises
 /// downstream.
 pub fn carved<D: Domain>(drainage: &Drainage<D>, z: &[f64]) -> Vec<f64> {
     let mut carved = z.to_vec();

@@ -21,15 +21,15 @@ use crate::math;
 /// Exponents of a river network; NaN where there are too few nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NetworkScaling {
-    /// β: exceedance of drainage area.
+    /// Exponent β of the exceedance of drainage area.
     pub area_exponent: f64,
-    /// β by areas up to a hundredth of the greatest: less bias by finite size.
+    /// Exponent β by areas up to a hundredth of the greatest: less bias by finite size.
     pub area_exponent_short: f64,
     /// h: Hack's exponent.
     pub hack_exponent: f64,
     /// R² of Hack's law through the bins.
     pub hack_r2: f64,
-    /// ψ: exceedance of upstream length.
+    /// Exponent ψ of the exceedance of upstream length.
     pub length_exponent: f64,
 }
 
@@ -38,7 +38,7 @@ pub struct NetworkScaling {
 pub struct NetworkSizes {
     /// Drainage areas, the node's own included.
     pub area: Vec<f64>,
-    /// Longest ways upstream; 0 at sources.
+    /// Longest ways upstream, m; 0 at sources.
     pub length: Vec<f64>,
 }
 

@@ -38,7 +38,7 @@ pub const LEAST_WINDOW: usize = 32;
 /// A power law fitted to densities.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PowerLaw {
-    /// β of density ~ k^−β.
+    /// Exponent β of density ~ k^−β.
     pub exponent: f64,
     /// R² of the straight line through the logarithms.
     pub r2: f64,
@@ -176,7 +176,7 @@ pub fn spectrum(grid: &Grid, z: &[f64]) -> Option<Spectrum> {
     Some(of_density(grid, z, window, &density))
 }
 
-/// As [`spectrum`], from a density that is there already.
+/// As [`spectrum`], from a density (m² a cycle squared) that is there already.
 pub fn of_density(grid: &Grid, z: &[f64], window: Window, density: &Density) -> Spectrum {
     let rings = rings::rings(density);
     let bins = rings::log_bins(density);

@@ -41,7 +41,7 @@ pub struct ThesisFit {
 
 const EPSILON: f64 = 1e-3;
 
-/// The procedure on a density; `z` gives the range that heights are scaled by.
+/// The procedure on a density; `z` (m) gives the range that heights are scaled by.
 pub fn thesis_fit(density: &Density, z: &[f64], window: Window, shape: Shape) -> ThesisFit {
     let n = density.side;
     let heights = (0..n * n).map(|i| z[window.node(shape, i / n, i % n)]);

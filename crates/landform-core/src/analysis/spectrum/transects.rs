@@ -24,7 +24,7 @@ pub struct Transects {
     pub spacing_northwards: f64,
 }
 
-/// Mean spectra of the rows and of the columns of a window, each profile without its straight line and tapered. **Cost** O(n log
+/// Mean spectra (wavenumber in 1/m, density in m³) of the rows and of the columns of a window, each profile without its straight line and tapered. **Cost** O(n log
 /// n).
 pub fn transects(grid: &Grid, z: &[f64], window: Window) -> Option<Transects> {
     let n = window.side;

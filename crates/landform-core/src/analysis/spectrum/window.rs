@@ -16,7 +16,7 @@ pub struct Window {
     pub side: usize,
 }
 
-/// The largest square without nodata; of equal ones that with the top-most, then left-most corner. **Cost** O(n).
+/// The largest square of nodes without nodata; of equal ones that with the top-most, then left-most corner. **Cost** O(n).
 pub fn largest_square(shape: Shape, z: &[f64]) -> Option<Window> {
     // Side of the largest square whose lower right corner is here.
     let mut above = vec![0u32; shape.cols];

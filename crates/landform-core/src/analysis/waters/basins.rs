@@ -17,7 +17,7 @@ pub struct Basin {
     pub outlet: [f64; 2],
     /// Least, mean and greatest elevation, m.
     pub elevation: [f64; 3],
-    /// (mean − least)/(greatest − least).
+    /// Ratio (mean − least)/(greatest − least).
     pub hypsometric_integral: f64,
     /// Outline; a basin whose parts touch at corners only has several polygons.
     pub outline: Vec<Polygon>,

@@ -128,7 +128,7 @@ pub(super) fn resolve_diffusivity<T: NodeSurface>(
     if let Resolved::PerNode(d) = &diffusivity
         && let Some(i) = parallel::find_first(d.len(), |i| d[i] < 0.0)
     {
-        return Err(Error::parameter("diffusivity", format!("negative at node {i}"), "at least 0 everywhere"));
+        return Err(Error::AtNode { name: "diffusivity".into(), node: i, value: d[i], expected: "at least 0" });
     }
     Ok(diffusivity)
 }

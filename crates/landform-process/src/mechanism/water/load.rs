@@ -21,7 +21,7 @@ impl Sweep {
         }
     }
 
-    /// Surface of standing water over a node, or its ground.
+    /// Surface (m) of standing water over a node, or its ground.
     #[inline]
     pub fn surface(&self, node: usize) -> f64 {
         self.pools.surface(self.ran_over(), node)

@@ -44,15 +44,15 @@ pub struct Supply<'a> {
 /// Balance of the water of a round, as depths summed over nodes, m: before + entered = stored + left + evaporated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ledger {
-    /// Water stored before.
+    /// Water stored before, m³.
     pub before: f64,
-    /// Water that entered.
+    /// Water that entered, m³.
     pub entered: f64,
-    /// Water stored after.
+    /// Water stored after, m³.
     pub stored: f64,
-    /// Water that left over base levels and into sinkholes.
+    /// Water that left over base levels and into sinkholes, m³.
     pub left: f64,
-    /// Evaporated.
+    /// Evaporated, m³.
     pub evaporated: f64,
 }
 

@@ -47,7 +47,7 @@ impl FlowPartition {
         lower
     }
 
-    /// Adds a neighbour, by height.
+    /// Adds a neighbour, by height in m.
     #[inline]
     pub fn push(&mut self, node: usize, level: f64) {
         let mut k = self.len;
@@ -71,7 +71,7 @@ impl FlowPartition {
         self.list[..self.len].iter().filter(|l| l.2 > 0.0).map(|l| (l.0 as usize, l.2))
     }
 
-    /// Levels to which `water` on a site at `top` raises it and its neighbours: the common level of those that get wet, at most
+    /// Levels (m) to which `water` on a site at `top` raises it and its neighbours: the common level of those that get wet, at most
     /// level with the site; shares are depths.
     ///
     /// With n neighbours that end up wet the level is (water + their heights) / n, and one more term where the site stays wet.

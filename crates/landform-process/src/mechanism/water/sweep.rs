@@ -68,12 +68,12 @@ impl Sweep {
         &self.passed
     }
 
-    /// The ground that the last round ran over, within a micrometre of its input.
+    /// The ground (m) that the last round ran over, within a micrometre of its input.
     pub fn ran_over(&self) -> &[f64] {
         &self.routing_ground
     }
 
-    /// One round: `standing` is the depth of standing water before, and after.
+    /// One round: `standing` is the depth (m) of standing water before, and after.
     pub fn round(&mut self, domain: &RasterDomain, ground: &[f64], supply: &Supply, standing: &mut [f64]) -> Ledger {
         let mut even = std::mem::take(&mut self.routing_ground);
         even.resize(ground.len(), 0.0);

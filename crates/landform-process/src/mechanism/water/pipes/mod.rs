@@ -65,7 +65,7 @@ struct Scratch {
 }
 
 impl Pipes {
-    /// Still water.
+    /// Still water over cells of `spacing` metres, with Manning's roughness in s/m^(1/3).
     pub fn new(nodes: usize, spacing: [f64; 2], roughness: f64) -> Self {
         let still = vec![0.0; nodes];
         Self { east: still.clone(), south: still, fastest: 0.0, roughness, spacing, scratch: Scratch::default() }
