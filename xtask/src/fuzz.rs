@@ -1,7 +1,8 @@
-//! Damaged files against every reader. A reader may refuse, never panic; a panic stops the run and leaves the file.
+//! Damaged files against every reader. A reader may refuse, never panic; a panic stops the run and
+//! leaves the file.
 //!
-//! Seeds are valid files of each format, made on the spot; damage is cuts, splices, flipped bits and extreme integers, drawn
-//! from a seed of the clock, which is printed.
+//! Seeds are valid files of each format, made on the spot; damage is cuts, splices, flipped bits
+//! and extreme integers, drawn from a seed of the clock, which is printed.
 
 use std::path::Path;
 use std::time::{Instant, SystemTime};

@@ -1,12 +1,15 @@
-//! `cargo xtask instructions`: counts the instructions of hot paths, against what was counted before.
+//! `cargo xtask instructions`: counts the instructions of hot paths, against what was counted
+//! before.
 //!
 //! # Method
-//! Valgrind's callgrind runs each test of `hot_paths` on one thread and counts within its `hot_…` function alone. Counts repeat to a few
-//! in a thousand for one toolchain on one kind of processor; what the C library chooses by processor is pinned to the baseline. Counts,
-//! unlike seconds, do not depend on how busy a machine is.
+//! Valgrind's callgrind runs each test of `hot_paths` on one thread and counts within its `hot_…`
+//! function alone. Counts repeat to a few in a thousand for one toolchain on one kind of processor;
+//! what the C library chooses by processor is pinned to the baseline. Counts, unlike seconds, do
+//! not depend on how busy a machine is.
 //!
-//! Counts are kept in `benches/instructions.json`, by toolchain. One that rises by more than 3 % fails, until its line is changed:
-//! `--accept` writes what is counted now, and whoever does so says why in the changelog.
+//! Counts are kept in `benches/instructions.json`, by toolchain. One that rises by more than 3 %
+//! fails, until its line is changed: `--accept` writes what is counted now, and whoever does so
+//! says why in the changelog.
 
 use std::collections::BTreeMap;
 use std::process::{Command, Stdio};

@@ -1,9 +1,10 @@
-//! Who may import whom, inside the crates (between crates the compiler sees to it): ranks of modules, and no circle among the files
-//! or folders of any folder.
+//! Who may import whom, inside the crates (between crates the compiler sees to it): ranks of
+//! modules, and no circle among the files or folders of any folder.
 //!
 //! # Method
-//! Imports are read as text: `use` groups and paths that begin with `crate` or `super`. A name that a `mod.rs` passes on from one of its
-//! children counts as the child's. A `mod.rs` may use its children and they it; between siblings arrows run one way.
+//! Imports are read as text: `use` groups and paths that begin with `crate` or `super`. A name that
+//! a `mod.rs` passes on from one of its children counts as the child's. A `mod.rs` may use its
+//! children and they it; between siblings arrows run one way.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -1,7 +1,9 @@
-//! The peers' tasks, one line of JSON each, so that both run in turns: `cargo run --release -p xtask -- peers TASK`.
+//! The peers' tasks, one line of JSON each, so that both run in turns:
+//! `cargo run --release -p xtask -- peers TASK`.
 //!
-//! Tasks: A = depressions, D8 and drainage area of an elevation file; B = stream power on an n × n raster; C = stream power
-//! on a mesh of n nodes; mesh = Delaunay and areas of n sites; steady = C to a steady state (1e-15), from coarse to fine.
+//! Tasks: A = depressions, D8 and drainage area of an elevation file; B = stream power on an n × n
+//! raster; C = stream power on a mesh of n nodes; mesh = Delaunay and areas of n sites; steady = C
+//! to a steady state (1e-15), from coarse to fine.
 
 use std::path::PathBuf;
 use std::time::Instant;

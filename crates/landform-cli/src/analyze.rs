@@ -30,7 +30,8 @@ pub(crate) struct Args {
     /// Level of the sea, such as "0 m": ground at or under it is left out of all but the coast.
     #[arg(long, allow_hyphen_values = true)]
     sea_level: Option<String>,
-    /// Coasts: the least step of the divider, such as "4 km". If not given, it is twice the mean distance of points.
+    /// Coasts: the least step of the divider, such as "4 km". If not given, it is twice the mean
+    /// distance of points.
     #[arg(long)]
     step_from: Option<String>,
     /// Coasts: the greatest step of the divider. If not given, it is a quarter of the extent.

@@ -10,7 +10,8 @@ macro_rules! complain {
     }};
 }
 
-/// Prints a line; ends quietly when the output is closed (`landform stages | head`), with an error when it cannot be written.
+/// Prints a line; ends quietly when the output is closed (`landform stages | head`), with an error
+/// when it cannot be written.
 macro_rules! say {
     ($($arg:tt)*) => {{
         use std::io::Write;
@@ -79,7 +80,8 @@ enum Command {
     Schema,
     /// Prints the papers behind a recipe.
     Cite(cite::Args),
-    /// Measures an elevation file: report card, report, numbers, maps. Also the dimension of coasts (GeoJSON).
+    /// Measures an elevation file: report card, report, numbers, maps. Also the dimension of coasts
+    /// (GeoJSON).
     Analyze(Work<analyze::Args>),
     /// Compares two elevation files: volumes removed and added, and all measures side by side.
     Compare(Work<compare::Args>),

@@ -6,10 +6,12 @@ use landform::recipe::Recipe;
 
 #[derive(clap::Args)]
 pub(crate) struct Part {
-    /// Share of the resolution, for a preview: 1/2, 1/4, ... 1/64. Extents, rates and times do not change.
+    /// Share of the resolution, for a preview: 1/2, 1/4, ... 1/64. Extents, rates and times do not
+    /// change.
     #[arg(long, value_name = "1/N")]
     level: Option<String>,
-    /// Builds this window only, in metres or with units; for recipes whose stages do not need the whole ground.
+    /// Builds this window only, in metres or with units; for recipes whose stages do not need the
+    /// whole ground.
     #[arg(long, value_name = "WEST,SOUTH,EAST,NORTH", allow_hyphen_values = true)]
     region: Option<String>,
 }

@@ -21,8 +21,8 @@ pub(crate) enum Style {
     Bar,
     /// Plain lines.
     Plain,
-    /// One JSON object a line, on standard output: times in years (null where rounds have no length in time), volumes in
-    /// cubic metres.
+    /// One JSON object a line, on standard output: times in years (null where rounds have no length
+    /// in time), volumes in cubic metres.
     Json,
     /// Nothing.
     None,

@@ -49,7 +49,8 @@ pub(crate) struct Args {
     /// Runs every stage anew, and keeps no terrain in the cache.
     #[arg(long)]
     no_cache: bool,
-    /// Greatest size on disk of the terrains of earlier stages; the least recently used are removed first.
+    /// Greatest size on disk of the terrains of earlier stages; the least recently used are removed
+    /// first.
     #[arg(long, value_name = "SIZE", default_value = "4 GiB")]
     cache_limit: Size,
     /// How progress is shown.
@@ -69,7 +70,8 @@ fn interval(text: &str) -> Result<Duration, String> {
     }
 }
 
-/// Text that differs between builds of this program, so that the cache of an older build is not used.
+/// Text that differs between builds of this program, so that the cache of an older build is not
+/// used.
 pub(crate) fn salt() -> String {
     let meta = std::env::current_exe().and_then(std::fs::metadata);
     let modified = meta.as_ref().ok().and_then(|m| m.modified().ok());
@@ -77,7 +79,8 @@ pub(crate) fn salt() -> String {
     format!("{:?} {:?}", since, meta.map(|m| m.len()).ok())
 }
 
-/// Refuses what would write outside of the folder over a link, or over a file that the recipe reads.
+/// Refuses what would write outside of the folder over a link, or over a file that the recipe
+/// reads.
 fn check_files(recipe: &Recipe, folder: &Folder, args: &Args) -> Result<()> {
     if !args.allow_outside {
         // Nothing is kept beyond a link either.
@@ -131,7 +134,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let stepping = Arc::new(AtomicBool::new(false));
     let in_steps = stepping.clone();
     ctrlc::set_handler(move || {
-        // Only processes have a state worth saving; and a second signal does not wait for the step to end.
+        // Only processes have a state worth saving; and a second signal does not wait for the step
+        // to end.
         if token.is_cancelled() || !in_steps.load(Ordering::Relaxed) {
             complain!("interrupted: run again to go on from the cache");
             std::process::exit(130);

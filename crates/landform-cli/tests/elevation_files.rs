@@ -20,7 +20,8 @@ const UTM_12: &str = r#"PROJCS["u",GEOGCS["w"],UNIT["metre",1],AUTHORITY["EPSG",
 const WEB: &str = r#"PROJCS["w",GEOGCS["w"],UNIT["metre",1],AUTHORITY["EPSG","3857"]]"#;
 const DEGREES: &str = r#"GEOGCS["w",DATUM["d"],UNIT["degree",0.0174532925199433],AUTHORITY["EPSG","4326"]]"#;
 
-/// A valley of 12 x 16 samples with its corner at (x, y), as an ASCII grid, and its system beside it.
+/// A valley of 12 x 16 samples with its corner at (x, y), as an ASCII grid, and its system beside
+/// it.
 fn valley(folder: &Path, name: &str, (x, y, cell): (f64, f64, f64), system: &str) {
     let mut text = format!("ncols 16\nnrows 12\nxllcorner {x}\nyllcorner {y}\ncellsize {cell}\n");
     for i in 0..12 {

@@ -1,4 +1,5 @@
-//! The program where something goes wrong around it: kills, full disks, closed outputs, damaged files.
+//! The program where something goes wrong around it: kills, full disks, closed outputs, damaged
+//! files.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]

@@ -1,7 +1,7 @@
 //! One error type, with hints.
 //!
-//! Messages are lower case, without full stop, give the value found and the value expected; [`Error::hint`] adds the remedy where
-//! one is known.
+//! Messages are lower case, without full stop, give the value found and the value expected;
+//! [`Error::hint`] adds the remedy where one is known.
 
 use std::fmt;
 use std::path::PathBuf;
@@ -30,7 +30,7 @@ pub enum Error {
         /// The number as it was typed, with its unit.
         text: String,
         /// The range.
-        range: Range,
+        range: Box<Range>,
     },
     /// A parameter that varies from node to node has a value that is not allowed.
     #[error("parameter `{name}` is {value} at node {node}; expected {expected} everywhere")]

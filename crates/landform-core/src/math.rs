@@ -1,7 +1,8 @@
 //! Elementary functions that give the same bits on every platform.
 //!
-//! The standard library's `sin`, `exp`, `powf` call the platform's mathematics; these call the `libm` crate. `sqrt` is exact
-//! everywhere and needs no replacement. `clippy.toml` catches calls of the platform's functions by mistake.
+//! The standard library's `sin`, `exp`, `powf` call the platform's mathematics; these call the
+//! `libm` crate. `sqrt` is exact everywhere and needs no replacement. `clippy.toml` catches calls
+//! of the platform's functions by mistake.
 //!
 //! ```
 //! use landform_core::math;
@@ -52,7 +53,8 @@ pub fn smoothstep(edge0: f64, edge1: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Least-squares line through points: (slope, intercept, R²). NaN with fewer than two different abscissae.
+/// Least-squares line through points: (slope, intercept, R²). NaN with fewer than two different
+/// abscissae.
 pub fn line_fit(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64, f64) {
     let (mut n, mut sx, mut sy) = (0.0, 0.0, 0.0);
     for (x, y) in points.clone() {

@@ -1,11 +1,11 @@
 //! The only parallel tools: ordered maps and fixed-tree sums. The only file that names rayon.
 //!
-//! Work is cut into pieces of fixed size, never by the number of threads, and pieces are combined in order; so a result
-//! has the same bits on any number of threads.
+//! Work is cut into pieces of fixed size, never by the number of threads, and pieces are combined
+//! in order; so a result has the same bits on any number of threads.
 //!
-//! Which thread does which piece is decided in one function that is compiled once ([`side_by_side`]). So a loop is compiled
-//! once where it is written, and not again for each way in which work can be split and stolen. One indirect call a piece is
-//! all that this costs.
+//! Which thread does which piece is decided in one function that is compiled once
+//! ([`side_by_side`]). So a loop is compiled once where it is written, and not again for each way
+//! in which work can be split and stolen. One indirect call a piece is all that this costs.
 
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -14,7 +14,8 @@ use rayon::prelude::*;
 
 use crate::{Error, Result};
 
-/// Length of a piece. Small enough to balance two cores on 10⁵ nodes, large enough that a piece outweighs its scheduling.
+/// Length of a piece. Small enough to balance two cores on 10⁵ nodes, large enough that a piece
+/// outweighs its scheduling.
 pub const PIECE: usize = 16_384;
 
 /// Pieces that few but costly values are cut into.
@@ -144,7 +145,8 @@ pub fn for_pieces_mut2<A: Send, B: Send>(
     each(pieces, &|k, (a, b): (&mut [A], &mut [B])| f(k * size, a, b));
 }
 
-/// Sorts by a total order in which no two different values are equal, so that the result does not depend on how it is done.
+/// Sorts by a total order in which no two different values are equal, so that the result does not
+/// depend on how it is done.
 pub fn sort_by<T: Send>(values: &mut [T], order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync) {
     values.par_sort_unstable_by(order);
 }
@@ -166,7 +168,8 @@ pub fn for_rows_mut2<A: Send, B: Send>(
     });
 }
 
-/// Calls `f(first index, pieces)` for matching pieces of slices of equal length and returns what it gives, in order.
+/// Calls `f(first index, pieces)` for matching pieces of slices of equal length and returns what it
+/// gives, in order.
 pub fn map_pieces_mut<const N: usize, A: Send, T: Send>(
     slices: [&mut [A]; N],
     size: usize,

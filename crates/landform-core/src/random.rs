@@ -1,7 +1,8 @@
 //! Randomness by key: a value depends on (seed, key) and on nothing else.
 //!
-//! No generator is shared, so the order of visits, the number of threads and the insertion of a stage change nothing.
-//! The mixing function is the finalizer of SplitMix64 (Steele, Lea & Flood 2014), applied twice over the keys.
+//! No generator is shared, so the order of visits, the number of threads and the insertion of a
+//! stage change nothing. The mixing function is the finalizer of SplitMix64 (Steele, Lea & Flood
+//! 2014), applied twice over the keys.
 
 use crate::math;
 

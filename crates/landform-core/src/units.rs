@@ -1,10 +1,11 @@
 //! Units, and quantities as people type them.
 //!
-//! Inside everything is SI; a [`Quantity`] exists where a human writes or reads a number: `"0.4 mm/yr"`, `"250 kyr"`,
-//! `"35 deg"`. Solvers call [`Quantity::si`] once and work in `f64`.
+//! Inside everything is SI; a [`Quantity`] exists where a human writes or reads a number:
+//! `"0.4 mm/yr"`, `"250 kyr"`, `"35 deg"`. Solvers call [`Quantity::si`] once and work in `f64`.
 //!
-//! A bare number is accepted only where no other unit than the stated one could be meant (metres for lengths, the customary unit
-//! for erodibility, none for plain ratios). A bare `dt = 250` is refused: seconds, years or thousands of years?
+//! A bare number is accepted only where no other unit than the stated one could be meant (metres
+//! for lengths, the customary unit for erodibility, none for plain ratios). A bare `dt = 250` is
+//! refused: seconds, years or thousands of years?
 //!
 //! ```
 //! use landform_core::units::{Duration, Length, Rate, YEAR};
@@ -84,8 +85,9 @@ dimension!(/// Velocity, such as uplift, in m/s; written in mm/yr.
 dimension!(/// Diffusivity, in m²/s; written in m²/yr.
     DiffusivityDimension, Diffusivity, "diffusivity", 2, -1, "m2/yr", 1.0 / YEAR, false, "0.01 m2/yr");
 dimension!(
-    /// Erodibility of the stream-power law. Its true unit is m^(1-2m)/yr for area exponent m (and slope exponent 1); it is
-    /// written `1/yr` with lengths in metres, and a bare number is read the same way.
+    /// Erodibility of the stream-power law. Its true unit is m^(1-2m)/yr for area exponent m (and
+    /// slope exponent 1); it is written `1/yr` with lengths in metres, and a bare number is read
+    /// the same way.
     ErodibilityDimension, Erodibility, "erodibility", 0, -1, "1/yr", 1.0 / YEAR, true, "5.6e-7 1/yr");
 dimension!(/// Angle, in radians; written in degrees.
     AngleDimension, Angle, "angle", 0, 0, "deg", std::f64::consts::PI / 180.0, false, "35 deg");
@@ -94,7 +96,8 @@ dimension!(/// Discharge of a spring or a river, in m³/s.
 dimension!(/// A plain number.
     RatioDimension, Ratio, "number", 0, 0, "1", 1.0, true, "0.5");
 
-/// The values of a dimension that people use, in its customary unit, over decades; none where that follows from the parameter.
+/// The values of a dimension that people use, in its customary unit, over decades; none where that
+/// follows from the parameter.
 pub(crate) fn soft_range(dimension: &str) -> Option<[f64; 2]> {
     match dimension {
         "erodibility" => Some([1e-8, 1e-3]),
@@ -103,7 +106,8 @@ pub(crate) fn soft_range(dimension: &str) -> Option<[f64; 2]> {
     }
 }
 
-/// A number with a unit: reads `"0.02 m2/yr"`, refuses the wrong dimension, writes back in the customary unit.
+/// A number with a unit: reads `"0.02 m2/yr"`, refuses the wrong dimension, writes back in the
+/// customary unit.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Quantity<D: Dimension> {
     si: f64,
@@ -134,7 +138,8 @@ impl<D: Dimension> Quantity<D> {
     /// Reads a number with its unit.
     ///
     /// # Errors
-    /// [`Error::Quantity`] if the text is no number, the unit is unknown, missing, or of another dimension.
+    /// [`Error::Quantity`] if the text is no number, the unit is unknown, missing, or of another
+    /// dimension.
     pub fn parse(text: &str) -> Result<Self> {
         let fail = |why: String| Error::Quantity { text: text.into(), expected: expected::<D>(), why };
         let (number, unit) = split_number(text).ok_or_else(|| fail("it does not start with a number".into()))?;

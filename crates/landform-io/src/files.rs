@@ -9,11 +9,13 @@ use std::time::Duration;
 use landform_core::verb::{Output, file_path, relative_path};
 use landform_core::{Error, Result};
 
-/// End of the name of a file that is not whole yet; before it stand the file's own name and the process that writes it.
+/// End of the name of a file that is not whole yet; before it stand the file's own name and the
+/// process that writes it.
 const UNFINISHED: &str = ".landform.part";
 /// Begin of the name of a file that shows whether a folder can be written to.
 const PROBE: &str = ".landform-probe.";
-/// Where processes cannot be looked up, what was not touched for so long is of one that lives no more.
+/// Where processes cannot be looked up, what was not touched for so long is of one that lives no
+/// more.
 const A_DAY: Duration = Duration::from_secs(86_400);
 
 /// Writes a whole file: first under another name, then flushed to disk and renamed.
@@ -40,8 +42,8 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     })
 }
 
-/// Removes from a folder what processes that were killed left unfinished. Files of processes that live are left, as is all that
-/// this program did not make.
+/// Removes from a folder what processes that were killed left unfinished. Files of processes that
+/// live are left, as is all that this program did not make.
 pub fn sweep(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
@@ -94,8 +96,8 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// A folder, which is created if it does not exist, and checked to be writable. What killed processes left unfinished in it
-    /// goes.
+    /// A folder, which is created if it does not exist, and checked to be writable. What killed
+    /// processes left unfinished in it goes.
     ///
     /// # Errors
     /// [`Error::Io`].

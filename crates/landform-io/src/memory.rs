@@ -2,7 +2,8 @@
 
 use landform_core::{Error, Result};
 
-/// Bytes that this process may still take, if the system reports them: what is free, or what its own limit leaves.
+/// Bytes that this process may still take, if the system reports them: what is free, or what its
+/// own limit leaves.
 pub fn available() -> Option<u64> {
     let of = |path: &str, key: &str, place: usize| {
         let text = std::fs::read_to_string(path).ok()?;

@@ -1,4 +1,5 @@
-//! Height maps as engines read them: an asymmetric pattern must come back upright, in place and in metres.
+//! Height maps as engines read them: an asymmetric pattern must come back upright, in place and in
+//! metres.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
 
@@ -64,7 +65,8 @@ fn unreal_reads_the_letter_upright_and_in_metres() {
     let raw = raster_format("f.png".as_ref()).unwrap().read(&files["f.png"], None).unwrap();
     assert_eq!(raw.grid().shape, Shape::new(127, 127));
     for i in 0..127 * 127 {
-        // Unreal: Z = location + (v - 32768)/128 * scale, in cm; the first row has the least Y, which is north here.
+        // Unreal: Z = location + (v - 32768)/128 * scale, in cm; the first row has the least Y,
+        // which is north here.
         let z = location[2] + (raw.elevation()[i] - 32_768.0) / 128.0 * scale[2];
         close(z / 100.0, field.elevation()[i], 0.01);
     }

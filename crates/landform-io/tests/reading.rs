@@ -75,7 +75,8 @@ fn noted(reading: &Reading, text: &str) -> bool {
     reading.notes.iter().any(|n| n.contains(text))
 }
 
-/// A little-endian TIFF of one strip or several, laid out by hand: tags of 16-bit, 32-bit, real and text values.
+/// A little-endian TIFF of one strip or several, laid out by hand: tags of 16-bit, 32-bit, real and
+/// text values.
 #[derive(Default)]
 struct Tiff {
     tags: Vec<(u16, Value)>,

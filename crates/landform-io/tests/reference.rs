@@ -1,4 +1,5 @@
-//! Measures of real ground against independent tools, and coasts against a divider walk; see data/README.md.
+//! Measures of real ground against independent tools, and coasts against a divider walk; see
+//! data/README.md.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
 
@@ -59,7 +60,8 @@ impl Reference {
         (0..shape.len()).filter(inside).collect()
     }
 
-    /// Values at the cells and the mean over inner nodes agree with the tool's to a relative 1e-4 (of at least `unit`).
+    /// Values at the cells and the mean over inner nodes agree with the tool's to a relative 1e-4
+    /// (of at least `unit`).
     fn check(&self, quantity: &str, unit: f64, value: impl Fn(usize) -> f64) {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-4 * b.abs().max(unit);
         for (node, expected) in self.cells(quantity) {
@@ -128,7 +130,8 @@ fn filled_ground_and_drainage_are_those_of_three_tools() {
             v.sort_by(f64::total_cmp);
             v[(q * (v.len() - 1) as f64) as usize]
         };
-        // Whole metres: ties are free, statistics are not. (The mean is: one great river counts the length of its way through a lake.)
+        // Whole metres: ties are free, statistics are not. (The mean is: one great river counts the
+        // length of its way through a lake.)
         close(part(&area, 1.0), "area_cells_fastscapelib", "max", 0.005);
         close(part(&area, 0.9), "area_cells_fastscapelib", "p90", 0.05);
         let tied = r.without_ties();

@@ -1,4 +1,5 @@
-//! Cost of an event of the self-organised models: flat in the size of the field, but for what the caches say.
+//! Cost of an event of the self-organised models: flat in the size of the field, but for what the
+//! caches say.
 
 #![allow(missing_docs, reason = "a benchmark")]
 #![allow(clippy::unwrap_used, reason = "a benchmark that cannot go on panics")]

@@ -1,4 +1,5 @@
-//! The hot paths of rivers: routing at raster sizes, and whole steps at 10⁴ to 10⁶ nodes on meshes and rasters.
+//! The hot paths of rivers: routing at raster sizes, and whole steps at 10⁴ to 10⁶ nodes on meshes
+//! and rasters.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "a bench that cannot go on panics")]
 

@@ -1,6 +1,7 @@
 //! Processes that change a terrain: one folder per phenomenon.
 //!
-//! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are coupled by a recipe.
+//! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are
+//! coupled by a recipe.
 
 pub mod basin;
 pub mod channel;

@@ -1,5 +1,5 @@
-//! Corrosion: exposed material disintegrates, exposes and weakens what is near, and a flat surface gets pits and cracks (Pytel 2015,
-//! figure 3.1, bottom row).
+//! Corrosion: exposed material disintegrates, exposes and weakens what is near, and a flat surface
+//! gets pits and cracks (Pytel 2015, figure 3.1, bottom row).
 //!
 //! `cargo run --release --example corrosion` writes corrosion.png into the folder it is run in.
 
@@ -11,7 +11,8 @@ use landform::core::terrain::HeightField;
 use landform::io::format::encode_png;
 use landform::io::render::{MapStyle, shaded_map};
 
-/// Radius in which an event weakens, sites. It is what tells this from self-organised criticality proper: a scale.
+/// Radius in which an event weakens, sites. It is what tells this from self-organised criticality
+/// proper: a scale.
 const RADIUS: f64 = 4.0;
 /// What an event takes from the strength of the site beside it.
 const WEAKENING: f64 = 0.035;

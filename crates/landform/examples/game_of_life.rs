@@ -1,6 +1,8 @@
-//! Conway's Game of Life on the automaton (Koh 2002, figure 8): little is alike from one picture to the next.
+//! Conway's Game of Life on the automaton (Koh 2002, figure 8): little is alike from one picture to
+//! the next.
 //!
-//! `cargo run --release --example game_of_life` writes game_of_life.gif into the folder it is run in.
+//! `cargo run --release --example game_of_life` writes game_of_life.gif into the folder it is run
+//! in.
 
 use landform::core::Result;
 use landform::core::agents::{Automaton, Neighbourhood};

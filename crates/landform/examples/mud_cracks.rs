@@ -1,5 +1,5 @@
-//! Mud cracks: a drying layer tears, every crack relieves what is beside it, and plates are left. The model of the tutorial in
-//! docs/tutorial/README.md.
+//! Mud cracks: a drying layer tears, every crack relieves what is beside it, and plates are left.
+//! The model of the tutorial in docs/tutorial/README.md.
 //!
 //! `cargo run --release --example mud_cracks` writes mud_cracks.png into the folder it is run in.
 
@@ -18,7 +18,8 @@ const RELIEF: f64 = 18.0;
 /// Steps that a tip takes in a round.
 const STRIDE: usize = 12;
 
-/// A drying layer of n by n sites after so many rounds. Cracks are 1 deep; plates curl up a little at their edges.
+/// A drying layer of n by n sites after so many rounds. Cracks are 1 deep; plates curl up a little
+/// at their edges.
 pub(crate) fn mud_cracks(n: usize, rounds: u64, seed: u64) -> Result<HeightField> {
     let grid = Grid::new(Shape::new(n, n), [1.0, 1.0])?;
     let sites = RasterSites::new(&grid, Connectivity::Eight)?;
@@ -26,7 +27,8 @@ pub(crate) fn mud_cracks(n: usize, rounds: u64, seed: u64) -> Result<HeightField
     let strength: Vec<f64> = (0..n * n).map(|_| 0.8 + 0.4 * draws.uniform()).collect();
     let mut tension = vec![0.0; n * n];
     let mut cracked = vec![false; n * n];
-    // Tips of cracks are the agents; their state is where they are heading, radians, and where within their site they are.
+    // Tips of cracks are the agents; their state is where they are heading, radians, and where
+    // within their site they are.
     let mut tips: Group<(f64, [f64; 2])> = Group::new(n * n);
     for round in 0..rounds {
         // Drying pulls everywhere alike.

@@ -1,6 +1,8 @@
-//! Duran's sandpile: a rough heap of slabs slips until nothing stands too steep, and becomes hills (Pytel 2015, figure 3.1, top row).
+//! Duran's sandpile: a rough heap of slabs slips until nothing stands too steep, and becomes hills
+//! (Pytel 2015, figure 3.1, top row).
 //!
-//! `cargo run --release --example sandpile` writes sandpile.png and sandpile_spectrum.png into the folder it is run in.
+//! `cargo run --release --example sandpile` writes sandpile.png and sandpile_spectrum.png into the
+//! folder it is run in.
 
 use landform::core::Result;
 use landform::core::agents::Sand;
@@ -23,7 +25,8 @@ pub(crate) fn sandpile(n: usize, seed: u64) -> Result<[HeightField; 2]> {
     }
     let heights = |sand: &Sand| sand.surface().iter().map(|&h| f64::from(h) / 3.0).collect();
     let before = HeightField::new(grid.clone(), heights(&sand))?;
-    // Every slab that slips may set off others: above it, where it leaves a gap, and where it comes to rest.
+    // Every slab that slips may set off others: above it, where it leaves a gap, and where it comes
+    // to rest.
     sand.settle();
     Ok([before, HeightField::new(grid, heights(&sand))?])
 }

@@ -71,12 +71,12 @@ impl Landscape {
         Self { terrain, environment, history, title, seed: 0, notes }
     }
 
-    /// Reads an elevation file: GeoTIFF, ESRI ASCII, PNG, PNM, EXR, NPY, RAW16. Water leaves by the low points of the border.
-    /// What was assumed of the file is in [`Landscape::notes`].
+    /// Reads an elevation file: GeoTIFF, ESRI ASCII, PNG, PNM, EXR, NPY, RAW16. Water leaves by the
+    /// low points of the border. What was assumed of the file is in [`Landscape::notes`].
     ///
     /// # Errors
-    /// [`Error::Io`] or [`Error::Format`] if the file cannot be read; [`Error::InDegrees`] if it is in degrees, since slopes need
-    /// metres.
+    /// [`Error::Io`] or [`Error::Format`] if the file cannot be read; [`Error::InDegrees`] if it is
+    /// in degrees, since slopes need metres.
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let Reading { mut field, notes } = read_raster(path)?;
@@ -89,12 +89,12 @@ impl Landscape {
         Ok(Self { title, notes, ..Self::of(field.wrap()) })
     }
 
-    /// Writes the surface: the extension says whether as a raster (tif, asc, exr, npy, png, pgm, r16) or as triangles (glb, obj,
-    /// ply, stl).
+    /// Writes the surface: the extension says whether as a raster (tif, asc, exr, npy, png, pgm,
+    /// r16) or as triangles (glb, obj, ply, stl).
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the extension is not known, or if it asks for a raster of a mesh (`to_height_field` makes one);
-    /// [`Error::Io`] if the file cannot be written.
+    /// [`Error::Parameter`] if the extension is not known, or if it asks for a raster of a mesh
+    /// (`to_height_field` makes one); [`Error::Io`] if the file cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let path = path.as_ref();
         if let Ok(format) = mesh_format(path) {
@@ -132,7 +132,8 @@ impl Landscape {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unsupported`] if the stage does not work on this kind of terrain or does not act at once; or if the stage fails.
+    /// [`Error::Unsupported`] if the stage does not work on this kind of terrain or does not act at
+    /// once; or if the stage fails.
     pub fn apply<P: Params>(&mut self, params: P) -> Result<&mut Self> {
         let stage = read(&params)?;
         if !matches!(stage.stage().verb, Verb::Generate | Verb::Edit | Verb::Convert) {
@@ -168,8 +169,8 @@ impl Landscape {
         view
     }
 
-    /// Prepares a run of processes in steps of `dt` for `duration`, both in s ([`kyr`](crate::prelude::kyr),
-    /// [`myr`](crate::prelude::myr)).
+    /// Prepares a run of processes in steps of `dt` for `duration`, both in s
+    /// ([`kyr`](crate::prelude::kyr), [`myr`](crate::prelude::myr)).
     pub fn evolve(&mut self, dt: f64, duration: f64) -> Evolution<'_> {
         Evolution { land: self, dt, stop: Stop::time(duration), parts: Ok(Vec::new()) }
     }
@@ -213,7 +214,8 @@ impl Evolution<'_> {
         self
     }
 
-    /// Stops earlier, once the greatest change of a step is at most `tolerance` of what uplift alone would have raised.
+    /// Stops earlier, once the greatest change of a step is at most `tolerance` of what uplift
+    /// alone would have raised.
     pub fn or_steady(mut self, tolerance: f64) -> Self {
         self.stop = self.stop.or_steady(tolerance);
         self
@@ -222,8 +224,9 @@ impl Evolution<'_> {
     /// Runs to the end.
     ///
     /// # Errors
-    /// If a parameter of a process is wrong, or a process fails while it runs; [`Error::Unsupported`] if a process does not work
-    /// on this kind of terrain. The landscape is then as before.
+    /// If a parameter of a process is wrong, or a process fails while it runs;
+    /// [`Error::Unsupported`] if a process does not work on this kind of terrain. The landscape is
+    /// then as before.
     pub fn run(self) -> Result<Outcome> {
         let Self { land, dt, stop, parts } = self;
         let parts = parts?;

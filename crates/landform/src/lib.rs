@@ -1,7 +1,8 @@
 //! Grows landscapes from natural processes.
 //!
-//! A **landscape** is a terrain with named fields and a history. **Stages** act on it: *generate* a start, *edit* it, run
-//! *processes* over time, *convert*, *measure*, *export*. A **recipe** is a list of stages in TOML.
+//! A **landscape** is a terrain with named fields and a history. **Stages** act on it: *generate* a
+//! start, *edit* it, run *processes* over time, *convert*, *measure*, *export*. A **recipe** is a
+//! list of stages in TOML.
 //!
 //! From Rust, without a recipe:
 //!
@@ -22,7 +23,8 @@
 //! # }
 //! ```
 //!
-//! A [`Model`](landform_core::sim::Model) can be stepped, examined and changed on the way. With a recipe: [`recipe::Recipe`].
+//! A [`Model`](landform_core::sim::Model) can be stepped, examined and changed on the way. With a
+//! recipe: [`recipe::Recipe`].
 //!
 //! | crate | holds |
 //! |---|---|

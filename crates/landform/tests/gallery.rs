@@ -1,6 +1,7 @@
 //! The gallery at small size: hash first, summary second.
 //!
-//! `cargo xtask gallery --accept` writes what comes out now as the new truth; say why in the changelog.
+//! `cargo xtask gallery --accept` writes what comes out now as the new truth; say why in the
+//! changelog.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
 

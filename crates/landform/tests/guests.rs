@@ -1,4 +1,5 @@
-//! A representation and a process that landform does not know: each is one file, and everything that asks for capabilities takes them.
+//! A representation and a process that landform does not know: each is one file, and everything
+//! that asks for capabilities takes them.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
 
@@ -210,7 +211,8 @@ mod rows {
 
 #[test]
 fn rivers_uplift_and_creep_run_on_ground_that_nobody_knows() {
-    // Without creep and with m = 0.5, n = 1: slope times the square root of area is U / K at the steady state.
+    // Without creep and with m = 0.5, n = 1: slope times the square root of area is U / K at the
+    // steady state.
     let (rate, erodibility) = (1e-3, 2e-5);
     let erodibility_of_rock = Some(landform::core::units::Erodibility::of(erodibility).into());
     let law = StreamPower { erodibility: erodibility_of_rock, limiting_slope: Some(0.0), ..StreamPower::default() };

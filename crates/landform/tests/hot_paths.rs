@@ -1,5 +1,5 @@
-//! The paths in which runs spend their time, small: as tests that they run, and for `cargo xtask instructions`, which counts
-//! the instructions of each `hot_…` function.
+//! The paths in which runs spend their time, small: as tests that they run, and for
+//! `cargo xtask instructions`, which counts the instructions of each `hot_…` function.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on panics")]
 

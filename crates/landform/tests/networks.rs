@@ -1,4 +1,5 @@
-//! Networks of rivers at the steady state: what they share with nature, and what does not depend on the number of nodes.
+//! Networks of rivers at the steady state: what they share with nature, and what does not depend on
+//! the number of nodes.
 
 #![allow(
     clippy::unwrap_used,
@@ -106,8 +107,8 @@ fn raster(mesh: &Mesh) -> HeightField {
 
 #[test]
 fn the_preview_is_the_build() {
-    // Painted uplift (two ridges and a valley) at a quarter of the nodes and at all of them. With even uplift the random start
-    // decides where divides run, and no preview can know that.
+    // Painted uplift (two ridges and a valley) at a quarter of the nodes and at all of them. With
+    // even uplift the random start decides where divides run, and no preview can know that.
     let painted = "{ formula = \"0.05 + 0.4*smoothstep(0.3, 0, abs(u - 0.3)) + 0.3*smoothstep(0.25, 0, abs(v - 0.75))\", unit = \"mm/yr\" }";
     let all = "[\"north\", \"east\", \"south\", \"west\"]";
     let (preview, build) = (steady(3, 5_000, all, painted), steady(3, 20_000, all, painted));

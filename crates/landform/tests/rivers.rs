@@ -1,4 +1,5 @@
-//! Rivers on recipes: what erosion leaves of a spectrum, how transports gather water, and what least bending takes away.
+//! Rivers on recipes: what erosion leaves of a spectrum, how transports gather water, and what
+//! least bending takes away.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use std::path::Path;
@@ -27,7 +28,8 @@ fn fbm(seed: u64, more: &str) -> HeightField {
 
 #[test]
 fn erosion_of_fractional_ground_keeps_its_long_waves() {
-    // FB7: the slope of the spectrum stays within 0.15 for waves longer than four times the widest river, here 2 x 20 m.
+    // FB7: the slope of the spectrum stays within 0.15 for waves longer than four times the widest
+    // river, here 2 x 20 m.
     let (channel, widest) =
         ("[[stage]]\nuse = \"channel_erosion\"\nchannel_radius = \"20 m\"\niterations = 40\n", 40.0);
     let long = |s: &Spectrum| {
@@ -99,9 +101,10 @@ fn least_bending_bends_less_than_hermite() {
     assert!(variational < 0.5 * hermite && hermite < nearest, "{nearest} {hermite} {variational}");
 }
 
-/// Valleys at least half as long as the slope, and valleys that join them. A valley is where contours bend: ground `REACH` nodes to either
-/// side of a river rises by a quarter as much as the river itself. Valleys are followed along the longer branch; primary ones are a
-/// quarter of the map long, secondary ones five nodes.
+/// Valleys at least half as long as the slope, and valleys that join them. A valley is where
+/// contours bend: ground `REACH` nodes to either side of a river rises by a quarter as much as the
+/// river itself. Valleys are followed along the longer branch; primary ones are a quarter of the
+/// map long, secondary ones five nodes.
 fn valleys(field: &HeightField) -> (usize, usize) {
     const REACH: isize = 3;
     let (domain, z) = (field.domain(), field.elevation());

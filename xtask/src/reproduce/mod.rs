@@ -1,4 +1,5 @@
-//! `cargo xtask reproduce THESIS`: runs the gallery's recipes of a thesis and writes ours beside its numbers.
+//! `cargo xtask reproduce THESIS`: runs the gallery's recipes of a thesis and writes ours beside
+//! its numbers.
 
 mod bell;
 mod pytel;

@@ -1,4 +1,5 @@
-//! Rivers of two theses: their figures, how transports gather water, and how long the theses' runs take.
+//! Rivers of two theses: their figures, how transports gather water, and how long the theses' runs
+//! take.
 
 use std::fmt::Write;
 use std::path::Path;

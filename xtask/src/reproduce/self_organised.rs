@@ -1,4 +1,5 @@
-//! Pages of the docs from recipes: their own pictures and measures, beside the theses' numbers. Here: dunes and coasts.
+//! Pages of the docs from recipes: their own pictures and measures, beside the theses' numbers.
+//! Here: dunes and coasts.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -26,7 +27,8 @@ pub(super) struct Figure {
     pub(super) title: &'static str,
     pub(super) recipe: &'static str,
     pub(super) pictures: &'static [&'static str],
-    /// Measures that belong to the pictures, where their names differ; several to a picture are joined by "+".
+    /// Measures that belong to the pictures, where their names differ; several to a picture are
+    /// joined by "+".
     pub(super) measures: &'static [&'static str],
     pub(super) what: &'static str,
 }

@@ -14,8 +14,8 @@ pub struct Neighbourhood<C> {
     pub index: usize,
 }
 
-/// A cellular automaton on a raster, double-buffered: every cell reads its neighbours as they were before the step. Rows run in
-/// parallel; the result does not depend on threads.
+/// A cellular automaton on a raster, double-buffered: every cell reads its neighbours as they were
+/// before the step. Rows run in parallel; the result does not depend on threads.
 ///
 /// ```
 /// use landform_core::agents::Automaton;
@@ -38,7 +38,8 @@ pub struct Automaton<C> {
 }
 
 impl<C: Copy + Send + Sync> Automaton<C> {
-    /// From cells, row-major. `beyond` is the neighbour of cells at the sides; with none, sides wrap around.
+    /// From cells, row-major. `beyond` is the neighbour of cells at the sides; with none, sides
+    /// wrap around.
     ///
     /// # Errors
     /// [`Error::Shape`] if there are not as many cells as the shape has.

@@ -26,9 +26,9 @@ impl Falloff {
     }
 }
 
-/// Triggers an avalanche: `change` is called with every site within `radius` m of the origin (which comes first) that can be
-/// reached along links that `through` lets pass, with the weight that the event has there. **Cost** O(sites in the radius),
-/// whatever the size of the graph.
+/// Triggers an avalanche: `change` is called with every site within `radius` m of the origin (which
+/// comes first) that can be reached along links that `through` lets pass, with the weight that the
+/// event has there. **Cost** O(sites in the radius), whatever the size of the graph.
 pub fn avalanche<D: Sites>(
     sites: &D,
     search: &mut Search,
@@ -44,17 +44,18 @@ pub fn avalanche<D: Sites>(
     });
 }
 
-/// Lets events trigger events until none is left: `topple` acts on a site and pushes those that it may have triggered. The last
-/// one pushed is taken first. `pending` holds the first ones and is scratch afterwards. The caller's rule must lose something
-/// with every topple, or this does not end.
+/// Lets events trigger events until none is left: `topple` acts on a site and pushes those that it
+/// may have triggered. The last one pushed is taken first. `pending` holds the first ones and is
+/// scratch afterwards. The caller's rule must lose something with every topple, or this does not
+/// end.
 pub fn cascade(pending: &mut Vec<usize>, mut topple: impl FnMut(usize, &mut Vec<usize>)) {
     while let Some(site) = pending.pop() {
         topple(site, pending);
     }
 }
 
-/// The sites around any site of a raster that an event reaches, with weights, found once: the fast form of [`avalanche()`] where
-/// no link is excluded.
+/// The sites around any site of a raster that an event reaches, with weights, found once: the fast
+/// form of [`avalanche()`] where no link is excluded.
 #[derive(Clone, Debug)]
 pub struct Stencil {
     /// Columns east, rows south, weight.
@@ -67,7 +68,8 @@ impl Stencil {
         Self::of(spacing, radius, falloff, |_| true)
     }
 
-    /// A cone: the part of a disc within `half_angle` of a direction (x east, y north), without the centre.
+    /// A cone: the part of a disc within `half_angle` of a direction (x east, y north), without the
+    /// centre.
     pub fn cone(spacing: [f64; 2], radius: f64, direction: [f64; 2], half_angle: f64, falloff: Falloff) -> Self {
         let length = (direction[0] * direction[0] + direction[1] * direction[1]).sqrt();
         let least = crate::math::cos(half_angle) - 1e-12;
@@ -102,7 +104,8 @@ impl Stencil {
         self.reach.is_empty()
     }
 
-    /// Calls `change` with every site that an event at `origin` reaches, and its weight. Sides do what the raster's edges say.
+    /// Calls `change` with every site that an event at `origin` reaches, and its weight. Sides do
+    /// what the raster's edges say.
     #[inline]
     pub fn apply(&self, sites: &RasterSites, origin: usize, mut change: impl FnMut(usize, f64)) {
         for &(c, r, weight) in &self.reach {

@@ -21,8 +21,8 @@ struct Agent<S> {
     state: S,
 }
 
-/// Agents of one kind: at most one a site, each with a state, all sharing globals. **Memory** 4 bytes a site and the agents.
-/// Joining, leaving and looking cost O(1).
+/// Agents of one kind: at most one a site, each with a state, all sharing globals. **Memory** 4
+/// bytes a site and the agents. Joining, leaving and looking cost O(1).
 ///
 /// An agent that is born in a visit does not act in it:
 ///
@@ -89,7 +89,8 @@ impl<S, G> Group<S, G> {
         self.agents.get_mut(self.slots[site] as usize).map(|a| &mut a.state)
     }
 
-    /// Puts an agent on a site; false, and nothing happens, if there is one. It acts from the next visit on.
+    /// Puts an agent on a site; false, and nothing happens, if there is one. It acts from the next
+    /// visit on.
     pub fn join(&mut self, site: usize, state: S) -> bool {
         if self.is_at(site) {
             return false;
@@ -113,7 +114,8 @@ impl<S, G> Group<S, G> {
         Some(gone.state)
     }
 
-    /// Moves an agent to a site; false, and nothing happens, if there is none or the site is taken. It keeps its age.
+    /// Moves an agent to a site; false, and nothing happens, if there is none or the site is taken.
+    /// It keeps its age.
     pub fn move_to(&mut self, from: usize, to: usize) -> bool {
         if !self.is_at(from) || self.is_at(to) {
             return false;
@@ -136,8 +138,8 @@ impl<S, G> Group<S, G> {
         sites
     }
 
-    /// Every agent acts once that is present now and still is when its turn comes. Agents born during the visit wait for the next
-    /// one.
+    /// Every agent acts once that is present now and still is when its turn comes. Agents born
+    /// during the visit wait for the next one.
     pub fn visit(&mut self, order: Order, mut act: impl FnMut(&mut Self, usize)) {
         self.visit += 1;
         let mut turn = std::mem::take(&mut self.order);

@@ -5,11 +5,13 @@ use serde::{Deserialize, Serialize};
 use crate::grid::Shape;
 use crate::math;
 
-/// Sand on hard ground, in whole units, so that its amount is kept exactly. Wherever it is put or taken, it slips at once until
-/// no site stands above a neighbour by more than the angle of repose allows; hard ground may have any slope. Eight neighbours; a
-/// torus, or a field whose sides sand does not slip over.
+/// Sand on hard ground, in whole units, so that its amount is kept exactly. Wherever it is put or
+/// taken, it slips at once until no site stands above a neighbour by more than the angle of repose
+/// allows; hard ground may have any slope. Eight neighbours; a torus, or a field whose sides sand
+/// does not slip over.
 ///
-/// **Cost** of putting or taking: O(1) for sand at rest, and the length of the avalanche else; never the size of the field.
+/// **Cost** of putting or taking: O(1) for sand at rest, and the length of the avalanche else;
+/// never the size of the field.
 ///
 /// ```
 /// use landform_core::agents::Sand;
@@ -46,8 +48,9 @@ const AROUND: [(i32, i32, usize); 8] =
 impl Sand {
     /// Sand of depth 0 on hard ground.
     ///
-    /// `ground` and everything else in units; `slab` is how much slips at once. The angle of repose is given as tan times the
-    /// spacing over the height of a unit, for steps along x, y and the diagonal in turn: see [`Sand::steps_of`].
+    /// `ground` and everything else in units; `slab` is how much slips at once. The angle of repose
+    /// is given as tan times the spacing over the height of a unit, for steps along x, y and the
+    /// diagonal in turn: see [`Sand::steps_of`].
     pub fn new(shape: Shape, torus: bool, ground: Vec<i32>, steps: [i32; 3], slab: i32) -> Self {
         let depth = vec![0; ground.len()];
         Self {
@@ -62,9 +65,9 @@ impl Sand {
         }
     }
 
-    /// Greatest steps in units for an angle of repose, radians, in slabs of so many units of height `unit`: whole slabs, at least
-    /// one, along the axes not above the angle, diagonally the nearest to it (else piles would be pyramids: two slabs either
-    /// way).
+    /// Greatest steps in units for an angle of repose, radians, in slabs of so many units of height
+    /// `unit`: whole slabs, at least one, along the axes not above the angle, diagonally the
+    /// nearest to it (else piles would be pyramids: two slabs either way).
     pub fn steps_of(repose: f64, spacing: [f64; 2], unit: f64, slab: i32) -> [i32; 3] {
         let [dx, dy] = spacing;
         let height = unit * f64::from(slab);
@@ -111,8 +114,8 @@ impl Sand {
         self.slab
     }
 
-    /// Sets the height of the hard ground and the sand on it, after a change from outside. Sand that is then too steep slips when
-    /// it is next touched; sites that swallow keep no sand.
+    /// Sets the height of the hard ground and the sand on it, after a change from outside. Sand
+    /// that is then too steep slips when it is next touched; sites that swallow keep no sand.
     pub fn set_site(&mut self, site: usize, ground: i32, depth: i32) {
         if !self.is_sink(site) {
             self.depth[site] = depth.max(0);
@@ -120,7 +123,8 @@ impl Sand {
         self.surface[site] = ground + self.depth(site);
     }
 
-    /// Takes up to `units` of sand without letting any slip; call [`Sand::settle`] after. Returns the units taken.
+    /// Takes up to `units` of sand without letting any slip; call [`Sand::settle`] after. Returns
+    /// the units taken.
     pub fn lift(&mut self, site: usize, units: i32) -> i32 {
         let taken = units.min(self.depth(site));
         self.depth[site] -= taken.max(0);
@@ -225,7 +229,8 @@ impl Sand {
         self.extreme(site, col, row, |n| Some(z - self.surface[n]))
     }
 
-    /// The neighbour with sand that stands above the site by most over what is allowed, if one does.
+    /// The neighbour with sand that stands above the site by most over what is allowed, if one
+    /// does.
     #[inline]
     fn uphill(&self, site: usize) -> Option<usize> {
         let z = self.surface[site];
@@ -245,7 +250,8 @@ impl Sand {
         self.extreme(site, col, row, |n| (self.depth[n] > 0).then(|| self.surface[n] - z))
     }
 
-    /// The neighbour for which `drop` is most over what is allowed; none where it is not, or there is no drop.
+    /// The neighbour for which `drop` is most over what is allowed; none where it is not, or there
+    /// is no drop.
     fn extreme(&self, site: usize, col: usize, row: usize, drop: impl Fn(usize) -> Option<i32>) -> Option<usize> {
         let mut best = (0, None);
         for by in AROUND {
@@ -279,10 +285,11 @@ impl Sand {
         }
     }
 
-    /// Moves a slab from a site to a lower neighbour; both sites and those above the first are examined again.
+    /// Moves a slab from a site to a lower neighbour; both sites and those above the first are
+    /// examined again.
     fn fall(&mut self, from: usize, to: usize) {
-        // At most half of the drop, so that every fall brings sand down and avalanches end; where it towers, more than a slab at
-        // once.
+        // At most half of the drop, so that every fall brings sand down and avalanches end; where
+        // it towers, more than a slab at once.
         let drop = self.surface[from] - self.surface[to];
         let over = drop - self.steps[0].max(self.steps[1]).max(self.steps[2]);
         let amount = self.slab.max(over / 4).min(self.depth[from]).min((drop / 2).max(1));

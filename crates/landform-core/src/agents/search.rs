@@ -28,9 +28,9 @@ impl Search {
         self.queue.clear();
     }
 
-    /// Breadth-first from `origin` to sites at most `radius` (m) away in a straight line, along links that `through` (from, to) lets
-    /// pass: uphill only, along a coast only, inside a cone. `visit` sees each site once with its distance, the origin first;
-    /// false ends it.
+    /// Breadth-first from `origin` to sites at most `radius` (m) away in a straight line, along
+    /// links that `through` (from, to) lets pass: uphill only, along a coast only, inside a cone.
+    /// `visit` sees each site once with its distance, the origin first; false ends it.
     pub fn within<D: Sites>(
         &mut self,
         sites: &D,
@@ -65,8 +65,9 @@ impl Search {
         }
     }
 
-    /// Walks from `origin` along a direction (any length) until `reach` m, an open side, or `visit` says false. Sites come in
-    /// order, each once in a row, without the origin, with their distance along the ray.
+    /// Walks from `origin` along a direction (any length) until `reach` m, an open side, or `visit`
+    /// says false. Sites come in order, each once in a row, without the origin, with their distance
+    /// along the ray.
     pub fn ray<D: Sites>(
         sites: &D,
         origin: usize,

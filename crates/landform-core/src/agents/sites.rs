@@ -9,7 +9,8 @@ pub trait Sites: Neighbours {
     /// The shortest vector from one site to another, around periodic sides where that is nearer, m.
     fn offset(&self, from: usize, to: usize) -> [f64; 3];
 
-    /// The site nearest to the place `by` away from a site; none if that is beyond an open side. Reflecting sides turn back.
+    /// The site nearest to the place `by` away from a site; none if that is beyond an open side.
+    /// Reflecting sides turn back.
     fn step(&self, site: usize, by: [f64; 3]) -> Option<usize>;
 
     /// The shortest distance between neighbours, m: the step of rays.
@@ -28,8 +29,8 @@ pub enum Connectivity {
     Four,
     /// The diagonal ones too.
     Eight,
-    /// Eight and four in turn, as 4-8 subdivision leaves them: diagonals join sites whose row and column add up to an even
-    /// number.
+    /// Eight and four in turn, as 4-8 subdivision leaves them: diagonals join sites whose row and
+    /// column add up to an even number.
     FourEight,
 }
 
@@ -49,7 +50,8 @@ impl RasterSites {
     /// The sites of a grid; its edges say what a step over a side does (a closed side reflects).
     ///
     /// # Errors
-    /// [`Error::Parameter`] if four and eight alternate over a periodic side of odd length, where parities would not match.
+    /// [`Error::Parameter`] if four and eight alternate over a periodic side of odd length, where
+    /// parities would not match.
     pub fn new(grid: &Grid, connectivity: Connectivity) -> Result<Self> {
         let (shape, edges) = (grid.shape, grid.edges);
         let odd = edges.wraps_cols() && shape.cols % 2 == 1 || edges.wraps_rows() && shape.rows % 2 == 1;
@@ -69,7 +71,8 @@ impl RasterSites {
         self.spacing
     }
 
-    /// The site `cols` columns east and `rows` rows south; none beyond an open side. Reflecting sides turn back.
+    /// The site `cols` columns east and `rows` rows south; none beyond an open side. Reflecting
+    /// sides turn back.
     #[inline]
     pub fn moved(&self, site: usize, cols: i64, rows: i64) -> Option<usize> {
         let cell = self.shape.cell(site);
@@ -86,7 +89,8 @@ impl RasterSites {
 /// A coordinate brought inside by what the sides do.
 fn within(at: i64, n: usize, low: Edge, high: Edge) -> Option<usize> {
     let (mut at, n) = (at, n as i64);
-    // A mirror may throw it over the other side; the bound is for sides so near that it would go on.
+    // A mirror may throw it over the other side; the bound is for sides so near that it would go
+    // on.
     for _ in 0..64 {
         if (0..n).contains(&at) {
             return Some(at as usize);

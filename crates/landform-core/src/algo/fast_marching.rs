@@ -4,16 +4,19 @@
 //! |∇T| F = 1: T is the time at which a front arrives that starts at the seeds with speed F.
 //!
 //! # Method
-//! The site with the least time among those beside the front is accepted next; its neighbours' times are recomputed from accepted
-//! sites alone, by one-sided differences of first or second order. Where the largest of the upwind times turns out later than the
-//! result, that axis is left out. Distances start from an exact ball around each seed, without which the first cells spoil the
-//! rest. A heap with lazy duplicates; ties go to the lower index. **Cost** O(n log n).
+//! The site with the least time among those beside the front is accepted next; its neighbours'
+//! times are recomputed from accepted sites alone, by one-sided differences of first or second
+//! order. Where the largest of the upwind times turns out later than the result, that axis is left
+//! out. Distances start from an exact ball around each seed, without which the first cells spoil
+//! the rest. A heap with lazy duplicates; ties go to the lower index. **Cost** O(n log n).
 //!
 //! # Sources
-//! Sethian (1996); Sethian (1999) for the second order; Pytel (2015), listing A.6, whose T = d/F leaves out the quadratic.
+//! Sethian (1996); Sethian (1999) for the second order; Pytel (2015), listing A.6, whose T = d/F
+//! leaves out the quadratic.
 //!
 //! # Checked by
-//! `tests`: |∇T| F = 1, distances against Euclid's, order of convergence, Dijkstra's as a custom update.
+//! `tests`: |∇T| F = 1, distances against Euclid's, order of convergence, Dijkstra's as a custom
+//! update.
 //!
 //! # Example
 //! Where a front is twice as fast, it takes half the time:
@@ -66,7 +69,8 @@ impl Front<'_> {
         })
     }
 
-    /// When a front of this slowness (1 / speed, s/m) arrives at a site, from its accepted neighbours; infinite if it has none.
+    /// When a front of this slowness (1 / speed, s/m) arrives at a site, from its accepted
+    /// neighbours; infinite if it has none.
     pub fn eikonal(&self, site: usize, slowness: f64, order: Order) -> f64 {
         let place = self.lattice.place(site);
         // Per axis: weight and origin of (T - origin)^2 * weight.
@@ -107,8 +111,9 @@ fn faces() -> impl Iterator<Item = (usize, [i64; 3])> {
     })
 }
 
-/// Marches from seeds (site, time in s). `update` gives the time of a site from the front so far; infinite keeps the front out. Sites
-/// that it never reaches stay infinite. `accept` sees every site in order of time.
+/// Marches from seeds (site, time in s). `update` gives the time of a site from the front so far;
+/// infinite keeps the front out. Sites that it never reaches stay infinite. `accept` sees every
+/// site in order of time.
 pub fn march(
     lattice: &Lattice,
     seeds: impl IntoIterator<Item = (usize, f64)>,
@@ -153,7 +158,8 @@ pub fn distance(lattice: &Lattice, seeds: &[usize], order: Order) -> Vec<f64> {
     distance_within(lattice, seeds, order, |_| true)
 }
 
-/// Distance (m) to the nearest seed along paths through sites that `open` lets in; infinite where there is none.
+/// Distance (m) to the nearest seed along paths through sites that `open` lets in; infinite where
+/// there is none.
 pub fn distance_within(lattice: &Lattice, seeds: &[usize], order: Order, open: impl Fn(usize) -> bool) -> Vec<f64> {
     let start = exact_ball(lattice, seeds, &open);
     march(lattice, start, |f, i| if open(i) { f.eikonal(i, 1.0, order) } else { f64::INFINITY }, |_, _| {})
@@ -188,7 +194,8 @@ fn exact_ball(lattice: &Lattice, seeds: &[usize], open: impl Fn(usize) -> bool) 
     start
 }
 
-/// Whether the sites on the way to a site of the ball are open too, so that the ball does not look through walls.
+/// Whether the sites on the way to a site of the ball are open too, so that the ball does not look
+/// through walls.
 fn in_sight(lattice: &Lattice, place: [usize; 3], by: [i64; 3], open: impl Fn(usize) -> bool) -> bool {
     let longest = by.iter().map(|b| b.abs()).max().unwrap_or(0);
     longest < 2
@@ -201,7 +208,8 @@ fn in_sight(lattice: &Lattice, place: [usize; 3], by: [i64; 3], open: impl Fn(us
         })
 }
 
-/// Time of arrival at every site of a front that starts at the seeds; `speed` in m per unit of time, 0 keeps it out.
+/// Time of arrival at every site of a front that starts at the seeds; `speed` in m per unit of
+/// time, 0 keeps it out.
 pub fn arrival(lattice: &Lattice, seeds: &[usize], speed: &[f64], order: Order) -> Vec<f64> {
     let start = seeds.iter().map(|&s| (s, 0.0));
     march(
@@ -212,8 +220,8 @@ pub fn arrival(lattice: &Lattice, seeds: &[usize], speed: &[f64], order: Order) 
     )
 }
 
-/// Signed distance to the surface where `level` is 0, m: positive where `level` is. Beside the surface it follows from `level`
-/// along the axes; infinite everywhere if there is no surface.
+/// Signed distance to the surface where `level` is 0, m: positive where `level` is. Beside the
+/// surface it follows from `level` along the axes; infinite everywhere if there is no surface.
 pub fn signed_distance(lattice: &Lattice, level: &[f64], order: Order) -> Vec<f64> {
     let inside = |i: usize| level[i] > 0.0;
     let mut beside = Vec::new();

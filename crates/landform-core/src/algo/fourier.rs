@@ -1,12 +1,13 @@
 //! The Fourier transform of a raster of real numbers.
 //!
 //! # Method
-//! Real transforms of the rows, a transpose in blocks, complex transforms of the columns. The result stays transposed: one row
-//! per wave number along x, as filters and sums over rings need it. Scalar arithmetic throughout, so that the bits do not depend
-//! on the machine.
+//! Real transforms of the rows, a transpose in blocks, complex transforms of the columns. The
+//! result stays transposed: one row per wave number along x, as filters and sums over rings need
+//! it. Scalar arithmetic throughout, so that the bits do not depend on the machine.
 //!
 //! # Sources
-//! Cooley & Tukey (1965); Definition 6 of Pytel's thesis (Eq. 2.4, 2.5): forward without a factor, inverse with 1/N.
+//! Cooley & Tukey (1965); Definition 6 of Pytel's thesis (Eq. 2.4, 2.5): forward without a factor,
+//! inverse with 1/N.
 //!
 //! # Example
 //! Level ground has a mean and no waves:
@@ -27,8 +28,8 @@ use rustfft::FftPlanner;
 use crate::grid::Shape;
 use crate::parallel;
 
-/// Coefficients of a raster: `values[kx * rows + ky]` for kx from 0 to cols/2 and ky from 0 to rows − 1 (see [`signed`]). The
-/// other half are their conjugates: F(−kx, −ky) = F(kx, ky)*.
+/// Coefficients of a raster: `values[kx * rows + ky]` for kx from 0 to cols/2 and ky from 0 to rows
+/// − 1 (see [`signed`]). The other half are their conjugates: F(−kx, −ky) = F(kx, ky)*.
 #[derive(Clone, Debug)]
 pub struct Coefficients {
     /// Shape of the raster.
@@ -43,7 +44,8 @@ impl Coefficients {
         Self { shape, values: vec![Complex::default(); (shape.cols / 2 + 1) * shape.rows] }
     }
 
-    /// Number of coefficients of the whole plane that a stored one represents: 2, or 1 where its conjugate is stored too.
+    /// Number of coefficients of the whole plane that a stored one represents: 2, or 1 where its
+    /// conjugate is stored too.
     pub fn weight(&self, kx: usize) -> f64 {
         if kx == 0 || 2 * kx == self.shape.cols { 1.0 } else { 2.0 }
     }

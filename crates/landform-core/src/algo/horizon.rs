@@ -1,8 +1,9 @@
 //! Visibility: shadows of a sun or a wind, and the ground in view of a point.
 //!
 //! # Method
-//! From each node a line is followed in steps of one cell, with linear elevations between nodes, until no ground of the map can
-//! hide it. **Cost** O(n · relief / (cell · tan altitude)) for shadows, O(n · side) for a view.
+//! From each node a line is followed in steps of one cell, with linear elevations between nodes,
+//! until no ground of the map can hide it. **Cost** O(n · relief / (cell · tan altitude)) for
+//! shadows, O(n · side) for a view.
 //!
 //! # Example
 //! A wall of 15 m throws a shadow of 15 m where the sun stands at 45 degrees:
@@ -21,7 +22,8 @@
 use crate::grid::Grid;
 use crate::{math, parallel};
 
-/// The line between nodes that is looked along: bilinear elevation at a real (column, row), or none off the map or beside nodata.
+/// The line between nodes that is looked along: bilinear elevation at a real (column, row), or none
+/// off the map or beside nodata.
 fn elevation_at(grid: &Grid, z: &[f64], c: f64, r: f64) -> Option<f64> {
     let shape = grid.shape;
     if !(c >= 0.0 && r >= 0.0 && c <= (shape.cols - 1) as f64 && r <= (shape.rows - 1) as f64) {
@@ -36,8 +38,8 @@ fn elevation_at(grid: &Grid, z: &[f64], c: f64, r: f64) -> Option<f64> {
     (!value.is_nan()).then_some(value)
 }
 
-/// Whether each node lies in the shadow of other ground: the sun (or the wind) comes from compass direction `azimuth` at
-/// `altitude` above level, radians. Nodata is not in shadow.
+/// Whether each node lies in the shadow of other ground: the sun (or the wind) comes from compass
+/// direction `azimuth` at `altitude` above level, radians. Nodata is not in shadow.
 pub fn shadow(grid: &Grid, z: &[f64], azimuth: f64, altitude: f64) -> Vec<bool> {
     let highest = parallel::max(z.len(), |i| z[i]);
     let unit = grid.spacing[0].min(grid.spacing[1]);
@@ -64,7 +66,8 @@ pub fn shadow(grid: &Grid, z: &[f64], azimuth: f64, altitude: f64) -> Vec<bool> 
     })
 }
 
-/// Whether each node can be seen from `height` m above the node `from`. Curvature of the Earth is left out.
+/// Whether each node can be seen from `height` m above the node `from`. Curvature of the Earth is
+/// left out.
 pub fn viewshed(grid: &Grid, z: &[f64], from: usize, height: f64) -> Vec<bool> {
     let eye = z[from] + height;
     let here = grid.shape.cell(from);

@@ -1,10 +1,11 @@
 //! Lines of equal elevation.
 //!
 //! # Method
-//! Marching squares with linear crossings. A node is high if it lies at the level or above; lines run with the high ground on
-//! their left, so that islands run counter-clockwise and depressions clockwise. At every saddle the high corners are separated
-//! (both ambiguous cases, as appendix B of Pytel's thesis needs): land is joined by sides, the sea by corners too. Squares with
-//! nodata hold no line.
+//! Marching squares with linear crossings. A node is high if it lies at the level or above; lines
+//! run with the high ground on their left, so that islands run counter-clockwise and depressions
+//! clockwise. At every saddle the high corners are separated (both ambiguous cases, as appendix B
+//! of Pytel's thesis needs): land is joined by sides, the sea by corners too. Squares with nodata
+//! hold no line.
 //!
 //! # Sources
 //! Lorensen & Cline (1987) in two dimensions; Pytel's thesis, appendix B.
@@ -42,7 +43,8 @@ impl Isoline {
         self.points.windows(2).map(|p| side(p[0], p[1])).sum()
     }
 
-    /// Enclosed area, m²: positive around high ground, negative around low ground; 0 for an open line.
+    /// Enclosed area, m²: positive around high ground, negative around low ground; 0 for an open
+    /// line.
     pub fn area(&self) -> f64 {
         if !self.closed {
             return 0.0;
@@ -53,8 +55,8 @@ impl Isoline {
     }
 }
 
-/// All lines at `level`, open ones first, each kind in the order of its first crossing from the north-west. **Cost** O(n + m log
-/// m) for m crossings.
+/// All lines at `level`, open ones first, each kind in the order of its first crossing from the
+/// north-west. **Cost** O(n + m log m) for m crossings.
 pub fn isolines(grid: &Grid, z: &[f64], level: f64) -> Vec<Isoline> {
     let mut steps = steps(grid, z, level);
     steps.sort_unstable();
@@ -100,7 +102,8 @@ fn steps(grid: &Grid, z: &[f64], level: f64) -> Vec<(u64, u64)> {
             }
             let edges = [2 * sw, 2 * ne + 1, 2 * nw, 2 * nw + 1].map(|e| e as u64);
             for k in 0..4 {
-                // A line begins where the ground falls below the level and ends where it rose above it last.
+                // A line begins where the ground falls below the level and ends where it rose above
+                // it last.
                 if high[k] && !high[(k + 1) % 4] {
                     let before = (1..4).map(|d| (k + 4 - d) % 4).find(|&j| !high[j] && high[(j + 1) % 4]);
                     steps.extend(before.map(|j| (edges[k], edges[j])));
@@ -152,7 +155,8 @@ mod tests {
         let low: Vec<f64> = z.iter().map(|v| -v).collect();
         let total = |lines: &[Isoline]| lines.iter().map(Isoline::length).sum::<f64>();
         assert!(lines.iter().map(Isoline::area).sum::<f64>() > 0.0);
-        // The same crossings whichever side is called high; saddles are resolved by the high side, so only about.
+        // The same crossings whichever side is called high; saddles are resolved by the high side,
+        // so only about.
         let upside = isolines(&grid, &low, 0.0);
         assert!((total(&upside) / total(&lines) - 1.0).abs() < 0.05);
         // Every line is one line: no crossing is visited twice.

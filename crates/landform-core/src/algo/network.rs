@@ -1,10 +1,12 @@
 //! Rivers as lines: a network of reaches between heads, confluences and mouths.
 //!
 //! # Method
-//! Nodes that drain at least a given area are channels. A reach runs down from a head or a confluence to the next confluence
-//! or to the end; it holds the node at which it ends. Reaches join to *rivers*: at each confluence, the branch with the
-//! greatest area goes on upstream under the river's number. Rivers are numbered by drainage area at their end, the greatest
-//! first, and their reaches from the mouth upwards, so that numbers follow from the land and not from the order of nodes.
+//! Nodes that drain at least a given area are channels. A reach runs down from a head or a
+//! confluence to the next confluence or to the end; it holds the node at which it ends. Reaches
+//! join to *rivers*: at each confluence, the branch with the greatest area goes on upstream under
+//! the river's number. Rivers are numbered by drainage area at their end, the greatest first, and
+//! their reaches from the mouth upwards, so that numbers follow from the land and not from the
+//! order of nodes.
 //!
 //! # Sources
 //! Strahler (1957) for orders; Hack (1957) for main streams followed up the larger branch.
@@ -53,7 +55,8 @@ impl Reach {
 
 const NONE: u32 = u32::MAX;
 
-/// The reaches of all nodes whose `area` is at least `least`, rivers in turn, each from its mouth upwards. **Cost** O(n).
+/// The reaches of all nodes whose `area` is at least `least`, rivers in turn, each from its mouth
+/// upwards. **Cost** O(n).
 pub fn reaches(flow: &Flow, area: &[f64], least: f64) -> Vec<Reach> {
     let receivers = flow.receivers();
     let is_channel = |i: usize| area[i] >= least && receivers[i] as usize != i;

@@ -32,8 +32,9 @@ pub fn at_or_under<T: NodeSurface>(level: f64, terrain: &T) -> Vec<Status> {
     chosen(terrain, |i| terrain.elevation()[i] <= level)
 }
 
-/// Raises the water to sea level (m) at base levels below it that are not connected to the sea: lagoons and depressions, which are
-/// lakes. The sea enters over the border, the rim of outer nodata included.
+/// Raises the water to sea level (m) at base levels below it that are not connected to the sea:
+/// lagoons and depressions, which are lakes. The sea enters over the border, the rim of outer
+/// nodata included.
 pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_level: f64, water: &mut [f64]) {
     let status = domain.status();
     let [lo, hi] = terrain.bounds();
@@ -60,8 +61,9 @@ pub fn fill_inland_water<T: NodeSurface>(terrain: &T, domain: &T::Domain, sea_le
     }
 }
 
-/// Keeps, of the border's base levels, the low points at which water from inside leaves when the whole border is open; the lowest
-/// of all, if there is none. A valley that enters from outside is no outlet.
+/// Keeps, of the border's base levels, the low points at which water from inside leaves when the
+/// whole border is open; the lowest of all, if there is none. A valley that enters from outside is
+/// no outlet.
 pub(crate) fn valleys<T: NodeSurface>(terrain: &T) -> Vec<Status> {
     let (domain, z) = (terrain.domain(), terrain.elevation());
     let status = domain.status();

@@ -1,10 +1,11 @@
 //! Outlines of labelled regions of a raster.
 //!
 //! # Method
-//! The sides between a region's cells and others are walked with the region on the left, so that outer rings run
-//! counter-clockwise seen from above and holes clockwise (as GeoJSON asks). Where two cells of the region touch at a corner
-//! only, the walk stays with the cell it came along: regions are joined by sides, not corners. Rings that touch themselves there
-//! are parted, as OGC's simple features ask.
+//! The sides between a region's cells and others are walked with the region on the left, so that
+//! outer rings run counter-clockwise seen from above and holes clockwise (as GeoJSON asks). Where
+//! two cells of the region touch at a corner only, the walk stays with the cell it came along:
+//! regions are joined by sides, not corners. Rings that touch themselves there are parted, as OGC's
+//! simple features ask.
 //!
 //! # Example
 //! Cells that touch at a corner only belong to different regions:
@@ -22,12 +23,12 @@ use std::collections::HashMap;
 
 use crate::grid::Shape;
 
-/// A ring of corners as (column, row) of the raster's lattice of corners: (0, 0) is the north-west corner of the
-/// north-west cell. Closed: the first corner is repeated at the end.
+/// A ring of corners as (column, row) of the raster's lattice of corners: (0, 0) is the north-west
+/// corner of the north-west cell. Closed: the first corner is repeated at the end.
 pub type Ring = Vec<[u32; 2]>;
 
-/// Numbers cells that are joined by sides and for which `same` holds, from 1 in order of their first cell; 0 where `is_in`
-/// does not hold. **Cost** O(cells).
+/// Numbers cells that are joined by sides and for which `same` holds, from 1 in order of their
+/// first cell; 0 where `is_in` does not hold. **Cost** O(cells).
 pub fn label_regions(shape: Shape, is_in: impl Fn(usize) -> bool, same: impl Fn(usize, usize) -> bool) -> Vec<u32> {
     let mut label = vec![0; shape.len()];
     let (mut count, mut stack) = (0, Vec::new());
@@ -60,8 +61,8 @@ fn beside(shape: Shape, i: usize) -> [Option<usize>; 4] {
     ]
 }
 
-/// The rings of every region, by label: position k holds those of label k + 1, the outer ring first. Corners in line are
-/// left out. **Cost** O(cells).
+/// The rings of every region, by label: position k holds those of label k + 1, the outer ring
+/// first. Corners in line are left out. **Cost** O(cells).
 pub fn outlines(shape: Shape, label: &[u32]) -> Vec<Vec<Ring>> {
     let count = label.iter().copied().max().unwrap_or(0) as usize;
     let mut rings: Vec<Vec<Ring>> = vec![Vec::new(); count];
@@ -88,7 +89,8 @@ fn is_border(shape: Shape, label: &[u32], i: usize, side: usize) -> bool {
     beside(shape, i)[side].is_none_or(|j| label[j] != label[i])
 }
 
-/// Walks from the start of a cell's side with the region on the left until the side comes round again.
+/// Walks from the start of a cell's side with the region on the left until the side comes round
+/// again.
 fn walk(shape: Shape, label: &[u32], first: usize, first_side: usize, walked: &mut [u8]) -> Ring {
     let (mut i, mut side) = (first, first_side);
     let mut ring: Ring = Vec::new();

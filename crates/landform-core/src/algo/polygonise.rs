@@ -1,13 +1,16 @@
-//! The surface of voxels: closed, every edge used twice, no vertex that two parts of the surface share.
+//! The surface of voxels: closed, every edge used twice, no vertex that two parts of the surface
+//! share.
 //!
 //! # Method
-//! Each face between a solid voxel and an empty one is a quadrilateral. Where two solid voxels touch along an edge alone, the surface
-//! keeps them apart: rock hangs together over faces, voids over corners too. Faces are joined over their edges by this rule; the
-//! corners that meet at a point of the lattice without being joined get vertices of their own. Where two edges still have the same
-//! ends, a vertex in the middle of each parts them.
+//! Each face between a solid voxel and an empty one is a quadrilateral. Where two solid voxels
+//! touch along an edge alone, the surface keeps them apart: rock hangs together over faces, voids
+//! over corners too. Faces are joined over their edges by this rule; the corners that meet at a
+//! point of the lattice without being joined get vertices of their own. Where two edges still have
+//! the same ends, a vertex in the middle of each parts them.
 //!
 //! # Checked by
-//! `tests`: edges, fans of faces around vertices and the enclosed volume on random voxels and on voxels that touch at edges and corners.
+//! `tests`: edges, fans of faces around vertices and the enclosed volume on random voxels and on
+//! voxels that touch at edges and corners.
 
 use std::collections::BTreeMap;
 
@@ -27,7 +30,8 @@ pub struct Quads {
 }
 
 impl Quads {
-    /// Places of all vertices, m, those in the middle of edges included, from places of the first ones.
+    /// Places of all vertices, m, those in the middle of edges included, from places of the first
+    /// ones.
     pub fn points(&self, mut places: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
         let middles = self.middles.iter().map(|ends| {
             let [a, b] = ends.map(|v| places[v as usize]);
@@ -233,7 +237,8 @@ mod tests {
     use super::*;
     use crate::random::Seed;
 
-    /// Checks that the surface is closed and simple; returns the volume that it encloses, in voxels.
+    /// Checks that the surface is closed and simple; returns the volume that it encloses, in
+    /// voxels.
     fn enclosed(quads: &Quads) -> f64 {
         let triangles = quads.triangles();
         let mut edges = BTreeSet::new();
@@ -283,7 +288,8 @@ mod tests {
             assert_eq!((quads.vertices.len(), quads.faces.len()), (16, 12));
             assert!((enclosed(&quads) - 2.0).abs() < 1e-12);
         }
-        // A void at two corners of a block: Euler's number tells one surface with a handle from two.
+        // A void at two corners of a block: Euler's number tells one surface with a handle from
+        // two.
         let quads = polygonise([3, 3, 3], |at| at != [1, 1, 1]);
         assert!((enclosed(&quads) - 26.0).abs() < 1e-12);
         assert_eq!(quads.vertices.len() as i64 - quads.faces.len() as i64, 4, "V - E + F of two spheres, with E = 2 F");

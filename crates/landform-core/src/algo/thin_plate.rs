@@ -1,13 +1,15 @@
 //! The surface of least bending through given heights.
 //!
 //! # Model
-//! Least of E = ½ Σ { (1 − τ)(u_x² + u_y²) + τ (u_xx² + 2 u_xy² + u_yy²) } + ½ Σ c (u − d)², differences in units of cells: a
-//! membrane for τ = 0, a thin plate for τ = 1. Nodes that are held are not changed. Borders are natural: a difference that would
-//! need a node beyond the border, or nodata, is left out.
+//! Least of E = ½ Σ { (1 − τ)(u_x² + u_y²) + τ (u_xx² + 2 u_xy² + u_yy²) } + ½ Σ c (u − d)²,
+//! differences in units of cells: a membrane for τ = 0, a thin plate for τ = 1. Nodes that are held
+//! are not changed. Borders are natural: a difference that would need a node beyond the border, or
+//! nodata, is left out.
 //!
 //! # Method
-//! Conjugate gradients with diagonal scaling on the normal equations, from the heights that come in; each step lowers E. Sources
-//! of heights every few tens of cells keep the number of steps to some hundreds. **Cost** about 15 ns a node and step.
+//! Conjugate gradients with diagonal scaling on the normal equations, from the heights that come
+//! in; each step lowers E. Sources of heights every few tens of cells keep the number of steps to
+//! some hundreds. **Cost** about 15 ns a node and step.
 //!
 //! # Sources
 //! Szeliski & Terzopoulos (1989), From splines to fractals.
@@ -109,8 +111,8 @@ impl Plate<'_> {
         });
     }
 
-    /// Relaxes `u`, whose heights on nodes with weight are the data, until the gradient has fallen to the fraction `tolerance` of
-    /// its first value.
+    /// Relaxes `u`, whose heights on nodes with weight are the data, until the gradient has fallen
+    /// to the fraction `tolerance` of its first value.
     pub fn relax(&self, u: &mut [f64], tolerance: f64) -> Relaxed {
         let n = u.len();
         let before = bending_energy(self.shape, u);

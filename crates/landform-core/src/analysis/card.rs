@@ -1,16 +1,17 @@
 //! The report card: how natural a landscape's numbers are.
 //!
 //! # Method
-//! Each measure has the range that it takes on real ground. Five of them distinguish eroded ground from noise, nine show the lattice
-//! or the one slope of made ground where it is steep enough ([`Directions`](super::Directions)). A landscape made
-//! by the stream-power law alone is recognised by fits that are too good. The verdict counts these measures; the other lines are
-//! for information.
+//! Each measure has the range that it takes on real ground. Five of them distinguish eroded ground
+//! from noise, nine show the lattice or the one slope of made ground where it is steep enough
+//! ([`Directions`](super::Directions)). A landscape made by the stream-power law alone is
+//! recognised by fits that are too good. The verdict counts these measures; the other lines are for
+//! information.
 //!
 //! # Sources
-//! Ranges: least and greatest value over nine real elevation models of 10 m to 200 m cells (18 places for the integral, Hack's
-//! exponent, β, θ and the spectrum), measured by public tools with these definitions, those of drainage widened by what the tools
-//! differ by; the same on synthetic surfaces. docs/real_ground describes each. The sample is small: the ranges are wide and no
-//! law.
+//! Ranges: least and greatest value over nine real elevation models of 10 m to 200 m cells (18
+//! places for the integral, Hack's exponent, β, θ and the spectrum), measured by public tools with
+//! these definitions, those of drainage widened by what the tools differ by; the same on synthetic
+//! surfaces. docs/real_ground describes each. The sample is small: the ranges are wide and no law.
 
 use serde::{Deserialize, Serialize};
 

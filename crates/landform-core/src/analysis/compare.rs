@@ -51,7 +51,8 @@ pub struct Comparison {
 /// ```
 ///
 /// # Errors
-/// [`Error::Shape`] if the rasters do not lie node on node, [`Error::Empty`] if no node has data in both.
+/// [`Error::Shape`] if the rasters do not lie node on node, [`Error::Empty`] if no node has data in
+/// both.
 pub fn compare(a: &HeightField, b: &HeightField) -> Result<(Comparison, Vec<f64>)> {
     let near = |k: usize| (a.grid().spacing[k] / b.grid().spacing[k] - 1.0).abs() < 1e-6;
     if a.grid().shape != b.grid().shape || !near(0) || !near(1) {

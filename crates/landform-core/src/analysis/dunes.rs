@@ -1,9 +1,10 @@
 //! Dunes: height, spacing, direction of crests, and type.
 //!
 //! # Sources
-//! Werner (1995) for the measures of a slab field; Fryberger (1979) and Wasson & Hyde (1983) for the types by wind regime and
-//! sand supply: steady winds make barchans (little sand) or transverse dunes (much), two winds linear dunes along their
-//! resultant, many winds stars. Pytel (2015), table 4.1, for the share of sites near repose.
+//! Werner (1995) for the measures of a slab field; Fryberger (1979) and Wasson & Hyde (1983) for
+//! the types by wind regime and sand supply: steady winds make barchans (little sand) or transverse
+//! dunes (much), two winds linear dunes along their resultant, many winds stars. Pytel (2015),
+//! table 4.1, for the share of sites near repose.
 
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +40,8 @@ pub struct Dunes {
     pub roughness: f64,
     /// Highest less lowest ground, m.
     pub relief: f64,
-    /// Distance between crests, m, by the first maximum of the autocorrelation across them; none if there is none.
+    /// Distance between crests, m, by the first maximum of the autocorrelation across them; none if
+    /// there is none.
     pub spacing: Option<f64>,
     /// Compass direction along which crests run, degrees from 0 to 180.
     pub crest_azimuth: f64,
@@ -57,7 +59,8 @@ pub struct Dunes {
     pub steadiness: f64,
     /// Angle between crests and the resultant of the winds, degrees from 0 to 90.
     pub crest_to_wind: f64,
-    /// Difference of the model's shelter from a shadow of 15 degrees; none where the shelter is not known.
+    /// Difference of the model's shelter from a shadow of 15 degrees; none where the shelter is not
+    /// known.
     pub shadow: Option<ShadowError>,
 }
 
@@ -66,7 +69,8 @@ pub struct Dunes {
 pub struct ShadowError {
     /// Of all sites.
     pub all: f64,
-    /// Of sites that are neither on peaks nor in troughs: within the middle third of the heights around them.
+    /// Of sites that are neither on peaks nor in troughs: within the middle third of the heights
+    /// around them.
     pub flanks: f64,
 }
 
@@ -75,7 +79,8 @@ const BARE: f64 = 0.02;
 /// Bins of slip faces' directions.
 const BINS: usize = 36;
 
-/// Measures dunes on a raster of elevations and sand (m), with an angle of repose in rad; `torus` if its sides meet. **Cost** O(n · spacing / cell).
+/// Measures dunes on a raster of elevations and sand (m), with an angle of repose in rad; `torus`
+/// if its sides meet. **Cost** O(n · spacing / cell).
 pub fn dunes(grid: &Grid, z: &[f64], sand: &[f64], rose: &Rose, repose: f64, torus: bool) -> Dunes {
     let n = z.len();
     let cell = grid.spacing[0].min(grid.spacing[1]);
@@ -148,8 +153,9 @@ fn class(d: &Dunes, cell: f64) -> DuneClass {
     }
 }
 
-/// Compares `shelter` (parts of the winds) with the shadows of 15 degrees that the ground casts in each wind. Peaks and troughs
-/// follow from the range of heights within half a `spacing`. **Cost** O(n · relief / cell).
+/// Compares `shelter` (parts of the winds) with the shadows of 15 degrees that the ground casts in
+/// each wind. Peaks and troughs follow from the range of heights within half a `spacing`. **Cost**
+/// O(n · relief / cell).
 pub fn shadow_error(grid: &Grid, z: &[f64], shelter: &[f64], rose: &Rose, spacing: f64, torus: bool) -> ShadowError {
     let cell = grid.spacing[0].min(grid.spacing[1]);
     let fall = math::tan(15f64.to_radians()) * cell;
@@ -212,8 +218,8 @@ fn moved(grid: &Grid, r: i64, c: i64, torus: bool) -> Option<usize> {
     ((0..rows).contains(&r) && (0..cols).contains(&c)).then(|| grid.shape.index(r as usize, c as usize))
 }
 
-/// Number of directions that steep sand faces: maxima of the smoothed rose of slip faces, a quarter of the greatest and more, and
-/// not nearer to each other than 50 degrees.
+/// Number of directions that steep sand faces: maxima of the smoothed rose of slip faces, a quarter
+/// of the greatest and more, and not nearer to each other than 50 degrees.
 fn slip_directions(
     slopes: &[crate::algo::derivative::Gradient],
     repose: f64,
@@ -243,7 +249,8 @@ fn slip_directions(
     modes.len()
 }
 
-/// Distance of the first maximum of the autocorrelation after its first crossing of 0, along a direction (x east, y north).
+/// Distance of the first maximum of the autocorrelation after its first crossing of 0, along a
+/// direction (x east, y north).
 fn spacing(grid: &Grid, z: &[f64], mean: f64, along: [f64; 2], torus: bool) -> Option<f64> {
     let cell = grid.spacing[0].min(grid.spacing[1]);
     let reach = (0.5 * grid.shape.cols.min(grid.shape.rows).max(8) as f64) as usize;

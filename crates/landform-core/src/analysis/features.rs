@@ -59,7 +59,8 @@ impl FeatureSearch {
     }
 }
 
-/// Finds features on a terrain. Lakes, basins and contours of a mesh are those of the raster made of it.
+/// Finds features on a terrain. Lakes, basins and contours of a mesh are those of the raster made
+/// of it.
 ///
 /// # Errors
 /// Where [`Rasterize::rasterized`] fails.
@@ -107,8 +108,8 @@ fn map_area<T: Rasterize>(terrain: &T) -> f64 {
     (side(0) * side(1)).max(f64::MIN_POSITIVE)
 }
 
-/// Rounds to a thousandth of a node's distance or to the centimetre, whichever is finer; it keeps order, so that no river runs
-/// uphill.
+/// Rounds to a thousandth of a node's distance or to the centimetre, whichever is finer; it keeps
+/// order, so that no river runs uphill.
 #[derive(Clone, Copy)]
 struct Rounding(f64);
 

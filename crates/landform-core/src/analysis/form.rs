@@ -1,14 +1,15 @@
 //! Pits and peaks, sinks and closed heights, which distinguish eroded ground from noise.
 //!
 //! # Method
-//! Eroded ground drains, so it has few depressions; turned upside down it has many. Noise has as many either way. *Sinks*: nodes
-//! that would be under water if every depression were filled; *asymmetry*: (share upside down − share) / sum. *Pits* and *peaks*:
-//! nodes or flats without a lower (higher) neighbour, which touch neither border nor nodata.
+//! Eroded ground drains, so it has few depressions; turned upside down it has many. Noise has as
+//! many either way. *Sinks*: nodes that would be under water if every depression were
+//! filled; *asymmetry*: (share upside down − share) / sum. *Pits* and *peaks*: nodes or flats
+//! without a lower (higher) neighbour, which touch neither border nor nodata.
 //!
 //! # Sources
-//! Definitions as in the reference measurements of nine real places and four synthetic surfaces (docs/real_ground): nature has
-//! sinks on at most 0.12 of the ground and an asymmetry of at least 0.23, noise 0.19 to 0.33 and about 0; at most 15 peaks per
-//! 1000 nodes, noise 22 to 44.
+//! Definitions as in the reference measurements of nine real places and four synthetic surfaces
+//! (docs/real_ground): nature has sinks on at most 0.12 of the ground and an asymmetry of at least
+//! 0.23, noise 0.19 to 0.33 and about 0; at most 15 peaks per 1000 nodes, noise 22 to 44.
 
 use serde::{Deserialize, Serialize};
 
@@ -101,7 +102,8 @@ fn extremes(shape: Shape, z: &[f64]) -> usize {
         stack.push(first);
         let mut closed = true;
         while let Some(i) = stack.pop() {
-            // A node of the flat with a lower neighbour, or on the border, or beside nodata, opens it.
+            // A node of the flat with a lower neighbour, or on the border, or beside nodata, opens
+            // it.
             if kind[i] == 0 {
                 closed = false;
                 continue;

@@ -1,13 +1,14 @@
 //! Hypsometry: the area of ground at each height.
 //!
 //! # Method
-//! The curve is the sorted elevations themselves. Its shape is judged on 101 points smoothed by a Gaussian of five: the signs of
-//! the second derivative from the heights down, where it is at least a tenth of its greatest amount.
+//! The curve is the sorted elevations themselves. Its shape is judged on 101 points smoothed by a
+//! Gaussian of five: the signs of the second derivative from the heights down, where it is at least
+//! a tenth of its greatest amount.
 //!
 //! # Sources
-//! Strahler (1952): curve, integral, family of model curves (Eq. 2.9 of Pytel's thesis) and classes; (mean − min)/(max − min) is
-//! the exact integral of the curve (Pike & Wilson 1971). Harlin (1978): skew of the curve taken as a density. Pytel's thesis
-//! 2.4.1 for unusual curves.
+//! Strahler (1952): curve, integral, family of model curves (Eq. 2.9 of Pytel's thesis) and
+//! classes; (mean − min)/(max − min) is the exact integral of the curve (Pike & Wilson 1971).
+//! Harlin (1978): skew of the curve taken as a density. Pytel's thesis 2.4.1 for unusual curves.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +19,8 @@ use crate::{math, parallel};
 pub struct Hypsometry {
     /// Ratio (mean − min)/(max − min); NaN for flat ground.
     pub integral: f64,
-    /// The same with elevations cut to their 0.1st and 99.9th percentiles: it does not depend on two cells.
+    /// The same with elevations cut to their 0.1st and 99.9th percentiles: it does not depend on
+    /// two cells.
     pub integral_clipped: f64,
     /// Relative elevation (0 to 1) above which each of 0, 1/100, …, 1 of the area lies.
     pub curve: Vec<f64>,
@@ -157,7 +159,8 @@ fn curve_skew(z: &[f64], relative: &(impl Fn(f64) -> f64 + Sync)) -> f64 {
     moment(3) / (moment(2) * moment(2).sqrt())
 }
 
-/// Least squares at 200 relative areas: the ratio by golden section on its logarithm, for each the exponent likewise.
+/// Least squares at 200 relative areas: the ratio by golden section on its logarithm, for each the
+/// exponent likewise.
 fn fit(z: &[f64], relative: &impl Fn(f64) -> f64) -> ModelCurve {
     let points: Vec<(f64, f64)> = (0..200)
         .map(|k| (f64::from(k) + 0.5) / 200.0)
@@ -169,7 +172,8 @@ fn fit(z: &[f64], relative: &impl Fn(f64) -> f64) -> ModelCurve {
         (sum / points.len() as f64).sqrt()
     };
     let best_exponent = |ratio: f64| golden(math::log(0.01), math::log(8.0), &|e| error(ratio, math::exp(e)));
-    // The ratio is searched on its logit, which has one valley in practice; a coarse sweep finds it.
+    // The ratio is searched on its logit, which has one valley in practice; a coarse sweep finds
+    // it.
     let ratio_of = |t: f64| 1.0 / (1.0 + math::exp(-t));
     let at = |t: f64| error(ratio_of(t), math::exp(best_exponent(ratio_of(t))));
     let sweep: Vec<f64> = (0..=24).map(|k| -9.0 + 0.6 * f64::from(k)).collect();
@@ -287,7 +291,8 @@ mod tests {
 
     #[test]
     fn integrals_of_solids_are_known_and_equal_that_of_the_curve() {
-        // A cone: 1/3; a paraboloid: 1/2; the identity with the trapezoid of the sorted elevations to 1e-9.
+        // A cone: 1/3; a paraboloid: 1/2; the identity with the trapezoid of the sorted elevations
+        // to 1e-9.
         let n = 801;
         let disc = |f: &dyn Fn(f64) -> f64| -> Vec<f64> {
             (0..n * n)

@@ -64,14 +64,16 @@ pub struct Metrics {
 /// Measures that are drawn as pictures.
 #[derive(Clone, Debug)]
 pub struct Drawings {
-    /// The spectrum on logarithmic axes, [`SPECTRUM_PLOT`]² values; see [`Density::log_plot`](super::Density::log_plot).
+    /// The spectrum on logarithmic axes, [`SPECTRUM_PLOT`]² values; see
+    /// [`Density::log_plot`](super::Density::log_plot).
     pub spectrum: Option<Vec<f64>>,
 }
 
 /// Side of the plot of the spectrum.
 pub const SPECTRUM_PLOT: usize = 321;
 
-/// Measures a raster. With a `sea_level` (m), ground at or under it is left out of everything but the coast.
+/// Measures a raster. With a `sea_level` (m), ground at or under it is left out of everything but
+/// the coast.
 ///
 /// Flow leaves where the terrain says (for ground from a file: at the border), and into nodata.
 ///

@@ -1,8 +1,9 @@
 //! Slopes, directions, curvature and relief of a raster as numbers.
 //!
 //! # Sources
-//! Horn (1981) for slope and aspect, over nodes whose eight neighbours have data; Evans (1972) for curvature; Pytel's thesis,
-//! Table 4.1, for the share of slopes within 10 % of the angle of repose.
+//! Horn (1981) for slope and aspect, over nodes whose eight neighbours have data; Evans (1972) for
+//! curvature; Pytel's thesis, Table 4.1, for the share of slopes within 10 % of the angle of
+//! repose.
 
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +45,8 @@ pub struct Surface {
     pub local_relief: f64,
 }
 
-/// The surface of a raster of elevations (m); none if no node has eight neighbours with data. **Cost** O(n log n).
+/// The surface of a raster of elevations (m); none if no node has eight neighbours with
+/// data. **Cost** O(n log n).
 pub fn surface(grid: &Grid, z: &[f64]) -> Option<Surface> {
     let whole = |i: usize| has_all_neighbours(grid, z, i);
     let mut slopes: Vec<f64> =

@@ -1,12 +1,13 @@
 //! The variogram: growth of elevation differences with distance.
 //!
 //! # Method
-//! Mean squared difference over all pairs of valid nodes 1, 2, 4, … 32 nodes apart along rows and columns; H is half the slope of
-//! its logarithm on that of the lag. Nothing is removed, or the best plane.
+//! Mean squared difference over all pairs of valid nodes 1, 2, 4, … 32 nodes apart along rows and
+//! columns; H is half the slope of its logarithm on that of the lag. Nothing is removed, or the
+//! best plane.
 //!
 //! # Sources
-//! Mandelbrot & Van Ness (1968): E|Δz|² ~ lag^(2H). The estimate is biased (on surfaces of H = 0.3, 0.5, 0.7, 0.9 it reads 0.385,
-//! 0.538, 0.697, 0.837): compare it with itself, not with theory.
+//! Mandelbrot & Van Ness (1968): E|Δz|² ~ lag^(2H). The estimate is biased (on surfaces of H = 0.3,
+//! 0.5, 0.7, 0.9 it reads 0.385, 0.538, 0.697, 0.837): compare it with itself, not with theory.
 
 use serde::{Deserialize, Serialize};
 
@@ -47,8 +48,8 @@ pub fn variogram(grid: &Grid, z: &[f64]) -> Variogram {
         .iter()
         .zip(rows.iter().zip(&columns))
         .map(|(&lag, (r, c))| {
-            // A plane adds (slope · lag)² to each mean square of what is left, up to a cross term that its fit makes zero in the
-            // mean.
+            // A plane adds (slope · lag)² to each mean square of what is left, up to a cross term
+            // that its fit makes zero in the mean.
             let (px, py) = (plane[0] * lag as f64, plane[1] * lag as f64);
             (r.0 - 2.0 * px * sum_of_differences(grid, z, lag, false) + px * px * r.1 + c.0
                 - 2.0 * py * sum_of_differences(grid, z, lag, true)

@@ -2,8 +2,9 @@
 
 use super::{Feature, Geometry, Polygon};
 
-/// Marks the places that lie on one of the features (inside, for areas) or within `buffer` metres of it. **Cost** for every
-/// stretch of a line the places in the cells that it passes; for every area its edges times the places in its rectangle.
+/// Marks the places that lie on one of the features (inside, for areas) or within `buffer` metres
+/// of it. **Cost** for every stretch of a line the places in the cells that it passes; for every
+/// area its edges times the places in its rectangle.
 pub fn near<'a>(features: impl Iterator<Item = &'a Feature>, buffer: f64, places: &[[f64; 2]]) -> Vec<bool> {
     let mut marked = vec![false; places.len()];
     let buckets = Buckets::new(places, buffer);
@@ -141,7 +142,8 @@ mod tests {
         };
         let line = || Geometry::Line(vec![[10.0, 50.0, 0.0], [40.0, 50.0, 0.0], [40.0, 80.0, 0.0]]);
         assert_eq!(count(line(), 0.0), 61);
-        // Two stretches of 30 m with 3 m to either side, less their overlap, with half discs at the ends.
+        // Two stretches of 30 m with 3 m to either side, less their overlap, with half discs at the
+        // ends.
         let found = count(line(), 3.0) as f64;
         let expected = 2.0 * 30.0 * 6.0 + std::f64::consts::PI * 9.0;
         assert!((found / expected - 1.0).abs() < 0.2, "{found} {expected}");

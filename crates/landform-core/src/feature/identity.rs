@@ -10,8 +10,9 @@ const LEAST_SHARE: f64 = 0.3;
 type Cell = (i64, i64);
 
 impl Features {
-    /// Gives each feature the id of the older one of its kind that it shares most of its course with (at least three tenths of
-    /// it, within a few of its own steps); the rest get ids that no feature had. References to ids are updated.
+    /// Gives each feature the id of the older one of its kind that it shares most of its course
+    /// with (at least three tenths of it, within a few of its own steps); the rest get ids that no
+    /// feature had. References to ids are updated.
     pub fn keep_ids(&mut self, before: &Features) {
         if before.is_empty() {
             return;

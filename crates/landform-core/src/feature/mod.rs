@@ -1,7 +1,7 @@
 //! Features: objects with a name, a kind and a geometry, such as rivers, lakes and coasts.
 //!
-//! A stage finds them, the landscape keeps them, later stages read them, exports write them. A feature that is found again nearby
-//! keeps its id ([`Features::keep_ids`]).
+//! A stage finds them, the landscape keeps them, later stages read them, exports write them. A
+//! feature that is found again nearby keeps its id ([`Features::keep_ids`]).
 //!
 //! ```
 //! use landform_core::feature::{Feature, FeatureKind, Geometry, near};
@@ -143,7 +143,8 @@ impl Features {
         self.0.is_empty()
     }
 
-    /// Replaces all features of the kinds that `found` holds; they keep the ids of those that they lie nearest to.
+    /// Replaces all features of the kinds that `found` holds; they keep the ids of those that they
+    /// lie nearest to.
     pub fn update(&mut self, mut found: Self) {
         found.keep_ids(self);
         let kinds: Vec<FeatureKind> = found.iter().map(|f| f.kind).collect();

@@ -57,7 +57,8 @@ pub const SPREAD_AREA: Key<f64> =
     Key::new("spread_area", "m2", "upslope area, own cell included, by D-infinity: water spreads over two neighbours");
 /// A mask.
 pub const MASK: Key<f64> = Key::new("mask", "1", "how much a place is chosen, 0 to 1");
-/// With the name of a material before it: the depth of that loose layer, m, part of the elevation ("sand_depth").
+/// With the name of a material before it: the depth of that loose layer, m, part of the elevation
+/// ("sand_depth").
 pub const DEPTH_SUFFIX: &str = "_depth";
 /// The material at the surface.
 pub const SURFACE_MATERIAL: Key<u8> =

@@ -3,12 +3,13 @@
 use super::Shape;
 use crate::parallel;
 
-/// Distance at which a node no longer counts for the centre of a cell, in cells. With less, planes through nodes that stand badly
-/// are far off, and creep there and back grows.
+/// Distance at which a node no longer counts for the centre of a cell, in cells. With less, planes
+/// through nodes that stand badly are far off, and creep there and back grows.
 const FARTHEST: f64 = 1.9;
 
-/// The value at the centre of every cell: that of the plane through the nodes of the nine cells around it, those near the centre
-/// counting most. Some keep the node's, as sides do; nodata is left out.
+/// The value at the centre of every cell: that of the plane through the nodes of the nine cells
+/// around it, those near the centre counting most. Some keep the node's, as sides do; nodata is
+/// left out.
 #[derive(Clone, Debug)]
 pub struct Centres {
     shape: Shape,

@@ -23,10 +23,12 @@ pub const NO_SLOT: u8 = u8::MAX;
 
 /// The little that graph algorithms need; implemented by rasters and by the mesh's graph.
 ///
-/// Links of a node sit in numbered *slots*. Slots, like node indices, follow from the geometry alone, so that no result depends
-/// on the order in which a mesh's sites were given. Masked nodes are no node's neighbour.
+/// Links of a node sit in numbered *slots*. Slots, like node indices, follow from the geometry
+/// alone, so that no result depends on the order in which a mesh's sites were given. Masked nodes
+/// are no node's neighbour.
 ///
-/// Three methods must be written, and three of [`Neighbours`]; the kernels follow from them, for graphs that have no faster ones.
+/// Three methods must be written, and three of [`Neighbours`]; the kernels follow from them, for
+/// graphs that have no faster ones.
 pub trait Domain: Neighbours + Clone + Send + 'static {
     /// Area of a node's cell, m².
     fn area(&self, node: usize) -> f64;
@@ -37,11 +39,12 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
     /// Sets what every node is; masked nodes stay masked.
     fn set_status(&mut self, status: Vec<Status>);
 
-    /// Width of the face shared with the neighbour in a slot over the distance to it: the conductance of a diffusive flux.
+    /// Width of the face shared with the neighbour in a slot over the distance to it: the
+    /// conductance of a diffusive flux.
     fn conductance(&self, node: usize, slot: u8) -> f64;
 
-    /// Rows and columns, if the conductances that are not 0 are those to the east, north, west and south of a raster whose sides do
-    /// not wrap.
+    /// Rows and columns, if the conductances that are not 0 are those to the east, north, west and
+    /// south of a raster whose sides do not wrap.
     fn five_point(&self) -> Option<Shape> {
         None
     }
@@ -69,7 +72,8 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
         self.link(node, slot).distance
     }
 
-    /// One over the distance to the neighbour in a slot, 1/m, to the bit that slopes are compared with.
+    /// One over the distance to the neighbour in a slot, 1/m, to the bit that slopes are compared
+    /// with.
     #[inline]
     fn inverse_distance(&self, node: usize, slot: u8) -> f64 {
         1.0 / self.distance(node, slot)
@@ -91,13 +95,15 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
         }
     }
 
-    /// The neighbour down the steepest slope from a node, and its slot; none without a lower one. Ties go to the lower slot.
+    /// The neighbour down the steepest slope from a node, and its slot; none without a lower one.
+    /// Ties go to the lower slot.
     fn steepest(&self, elevation: &[f64], node: usize) -> Option<(usize, u8)> {
         steepest_link(self, elevation, node).map(|l| (l.to, l.slot))
     }
 
-    /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower neighbour, a base level
-    /// or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go to the lower slot.
+    /// Writes each interior node's steepest-descent receiver and its slot; a node without a lower
+    /// neighbour, a base level or a masked node becomes its own receiver, with [`NO_SLOT`]. Ties go
+    /// to the lower slot.
     fn steepest_descent(&self, elevation: &[f64], receiver: &mut [u32], slot: &mut [u8]) {
         write_receivers(self, receiver, slot, |node| self.steepest(elevation, node));
     }
@@ -114,7 +120,8 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
         self.neighbours(node).any(|l| label[l.to] != label[node])
     }
 
-    /// Writes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`]) form more than one arc, else 0.
+    /// Writes 1 at base levels and at nodes whose lower neighbours (see [`Domain::lower_arcs`])
+    /// form more than one arc, else 0.
     fn saddles(&self, elevation: &[f64], saddle: &mut [u8]) {
         parallel::update(saddle, |node, saddle| {
             let mut arcs = 0;
@@ -123,8 +130,9 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
         });
     }
 
-    /// Calls `visit` with one slot of each arc of lower neighbours that does not hold `own`. An arc is a set of neighbours
-    /// that are joined by links among themselves; lower means lower by (elevation, index).
+    /// Calls `visit` with one slot of each arc of lower neighbours that does not hold `own`. An arc
+    /// is a set of neighbours that are joined by links among themselves; lower means lower by
+    /// (elevation, index).
     fn lower_arcs(&self, elevation: &[f64], node: usize, own: u8, mut visit: impl FnMut(u8)) {
         let mut left: Vec<Link> = self.neighbours(node).filter(|l| is_below(elevation, l.to, node)).collect();
         while !left.is_empty() {
@@ -144,8 +152,8 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
     }
 }
 
-/// Writes the receiver of each interior node and its slot, as `find` says; other nodes, and those for which it finds none, become
-/// their own, with [`NO_SLOT`].
+/// Writes the receiver of each interior node and its slot, as `find` says; other nodes, and those
+/// for which it finds none, become their own, with [`NO_SLOT`].
 pub(crate) fn write_receivers<D: Domain>(
     domain: &D,
     receiver: &mut [u32],
@@ -162,7 +170,8 @@ pub(crate) fn write_receivers<D: Domain>(
     });
 }
 
-/// Steepest descent at one node by its list of links: the definition that faster kernels must agree with.
+/// Steepest descent at one node by its list of links: the definition that faster kernels must agree
+/// with.
 #[inline]
 pub(super) fn steepest_link(domain: &impl Domain, elevation: &[f64], node: usize) -> Option<Link> {
     let z = elevation[node];

@@ -82,8 +82,8 @@ impl Edges {
         at.iter().zip(edges).filter(|(at, edge)| **at && *edge == Edge::Open).count()
     }
 
-    /// What the sides do where a raster is cut (north, south, west, east): those that are cut become `to`, and a periodic side with
-    /// the opposite one.
+    /// What the sides do where a raster is cut (north, south, west, east): those that are cut
+    /// become `to`, and a periodic side with the opposite one.
     pub fn cut(self, [north, south, west, east]: [bool; 4], to: Edge) -> Self {
         let after = |edge: Edge, here: bool, opposite: bool| {
             if here || (opposite && edge == Edge::Periodic) { to } else { edge }

@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 /// Whether a file's sample is the value at a point or over the area of a pixel.
 ///
-/// Inside, every raster is node-registered: the value belongs to the point. A pixel-is-area file's samples are taken at
-/// the pixels' centres; the registration is remembered so that the file is written back as it came.
+/// Inside, every raster is node-registered: the value belongs to the point. A pixel-is-area file's
+/// samples are taken at the pixels' centres; the registration is remembered so that the file is
+/// written back as it came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Registration {
     /// Samples at points (GTRasterTypeGeoKey 2).

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::{Domain, Link, NO_SLOT, Neighbours, Status, is_below};
 use crate::parallel;
 
-/// Nodes with links in compressed rows. Links of a node are sorted counter-clockwise from its first.
+/// Nodes with links in compressed rows. Links of a node are sorted counter-clockwise from its
+/// first.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Graph {
     start: Vec<u32>,
@@ -52,8 +53,9 @@ impl Links {
 }
 
 impl Graph {
-    /// From each node's links in counter-clockwise order (`start` has one entry more than there are nodes), whether they
-    /// close a full turn, areas and status. Every link must be present from both ends.
+    /// From each node's links in counter-clockwise order (`start` has one entry more than there are
+    /// nodes), whether they close a full turn, areas and status. Every link must be present from
+    /// both ends.
     pub(crate) fn new(
         start: Vec<u32>,
         links: Links,

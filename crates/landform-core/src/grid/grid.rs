@@ -22,12 +22,14 @@ pub struct Grid {
     /// The grid that this is a window of, if it is one.
     #[serde(default)]
     pub frame: Option<Frame>,
-    /// How nodes stand off the centres of their cells, while water runs over them; none where they do not.
+    /// How nodes stand off the centres of their cells, while water runs over them; none where they
+    /// do not.
     #[serde(default)]
     pub jitter: Option<Jitter>,
 }
 
-/// The whole grid of a window. Values that depend on the whole extent, and positions to the last bit, follow from it.
+/// The whole grid of a window. Values that depend on the whole extent, and positions to the last
+/// bit, follow from it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
     /// Rows and columns of the whole.
@@ -47,7 +49,8 @@ impl Grid {
     /// A grid of local metres with its south-west node at (0, 0) and open sides.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for an empty or too large shape, or a spacing that is not positive and finite.
+    /// [`Error::Parameter`] for an empty or too large shape, or a spacing that is not positive and
+    /// finite.
     pub fn new(shape: Shape, spacing: [f64; 2]) -> Result<Self> {
         if shape.rows == 0 || shape.cols == 0 {
             return Err(Error::parameter("shape", shape, "at least one row and one column"));
@@ -69,7 +72,8 @@ impl Grid {
         })
     }
 
-    /// The grid that covers `size` metres (x, y) with square cells as near to `cell_size` as fits a whole number of them.
+    /// The grid that covers `size` metres (x, y) with square cells as near to `cell_size` as fits a
+    /// whole number of them.
     ///
     /// # Errors
     /// Where [`Grid::new`] fails, or if the size is not positive and finite.
@@ -183,7 +187,8 @@ impl Grid {
         }
     }
 
-    /// A window: rows and columns from the first to the last, both included. It knows the whole. Sides that are cut are closed.
+    /// A window: rows and columns from the first to the last, both included. It knows the whole.
+    /// Sides that are cut are closed.
     ///
     /// # Errors
     /// [`Error::Parameter`] if it is empty or leaves the grid.
@@ -215,14 +220,16 @@ impl Grid {
         })
     }
 
-    /// Which sides (north, south, west, east) rows and columns from the first to the last do not reach.
+    /// Which sides (north, south, west, east) rows and columns from the first to the last do not
+    /// reach.
     pub fn sides_cut(&self, first: [usize; 2], last: [usize; 2]) -> [bool; 4] {
         let Shape { rows, cols } = self.shape;
         [first[0] > 0, last[0] + 1 < rows, first[1] > 0, last[1] + 1 < cols]
     }
 
-    /// First and last row and column of the nodes within a rectangle (its south-west and north-east corner, m) and a margin of
-    /// it, as far as the grid goes; none if the rectangle and the grid have no node in common.
+    /// First and last row and column of the nodes within a rectangle (its south-west and north-east
+    /// corner, m) and a margin of it, as far as the grid goes; none if the rectangle and the grid
+    /// have no node in common.
     pub fn nodes_within(&self, [sw, ne]: [[f64; 2]; 2], margin: f64) -> Option<[[usize; 2]; 2]> {
         let from = self.col_row([sw[0] - margin, ne[1] + margin]);
         let to = self.col_row([ne[0] + margin, sw[1] - margin]);
@@ -235,7 +242,8 @@ impl Grid {
         some.then_some([[north as usize, west as usize], [south as usize, east as usize]])
     }
 
-    /// The grid as a file of its system has it: local metres that were made from degrees as degrees again.
+    /// The grid as a file of its system has it: local metres that were made from degrees as degrees
+    /// again.
     pub fn in_its_system(&self) -> Self {
         let Some(degrees) = self.georeference.degrees else { return self.clone() };
         let georeference = Georeference {

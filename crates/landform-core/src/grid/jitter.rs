@@ -1,11 +1,13 @@
-//! Nodes of a raster off the centres of their cells, so that water that follows their slopes does not follow the lattice.
+//! Nodes of a raster off the centres of their cells, so that water that follows their slopes does
+//! not follow the lattice.
 //!
-//! Node (r, c) stands at (c + a j₁, r + a j₂) cells, a = 0.5 and j in (−1, 1) by the seed and the node. Areas stay those of cells;
-//! the distances to the eight neighbours change, and none is less than 0.3 of a cell. Nodes on the sides stay.
+//! Node (r, c) stands at (c + a j₁, r + a j₂) cells, a = 0.5 and j in (−1, 1) by the seed and the
+//! node. Areas stay those of cells; the distances to the eight neighbours change, and none is less
+//! than 0.3 of a cell. Nodes on the sides stay.
 //!
 //! # Sources
-//! Ours. Fairfield & Leymarie (1991) draw a diagonal's length instead (rho8): the mean direction is right, but a third of the
-//! cells of channels still lie in straight runs.
+//! Ours. Fairfield & Leymarie (1991) draw a diagonal's length instead (rho8): the mean direction is
+//! right, but a third of the cells of channels still lie in straight runs.
 
 use serde::{Deserialize, Serialize};
 
@@ -26,7 +28,8 @@ pub struct Jitter {
 }
 
 impl Jitter {
-    /// Where the node in a row and a column of a whole raster stands off the centre of its cell: columns east and rows south, in cells.
+    /// Where the node in a row and a column of a whole raster stands off the centre of its cell:
+    /// columns east and rows south, in cells.
     #[inline]
     pub fn offset(&self, whole: Shape, row: usize, col: usize) -> [f64; 2] {
         if row == 0 || col == 0 || row + 1 == whole.rows || col + 1 == whole.cols {
@@ -48,7 +51,8 @@ pub(super) struct Jittered {
 }
 
 impl Jittered {
-    /// From the offsets; `step` gives the node one step away in a direction, `moves` its columns and rows.
+    /// From the offsets; `step` gives the node one step away in a direction, `moves` its columns
+    /// and rows.
     pub(super) fn new(
         offset: Vec<[f32; 2]>,
         [dx, dy]: [f64; 2],

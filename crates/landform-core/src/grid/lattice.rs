@@ -2,7 +2,8 @@
 
 use crate::{Error, Result};
 
-/// A box of sites, x first: index = x + nx (y + ny z). A raster is a box with one layer, y running south.
+/// A box of sites, x first: index = x + nx (y + ny z). A raster is a box with one layer, y running
+/// south.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice {
     /// Number of sites along x, y and z.
@@ -17,8 +18,8 @@ impl Lattice {
     /// A box of sites, `spacing` metres apart, that ends at its sides.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for an axis without sites, more sites than a 32-bit index can name, or a spacing that is not
-    /// positive.
+    /// [`Error::Parameter`] for an axis without sites, more sites than a 32-bit index can name, or
+    /// a spacing that is not positive.
     pub fn new(size: [usize; 3], spacing: [f64; 3]) -> Result<Self> {
         let count = size[0].checked_mul(size[1]).and_then(|n| n.checked_mul(size[2]));
         if count.is_none_or(|n| n == 0 || n >= u32::MAX as usize) {

@@ -1,7 +1,8 @@
 //! A raster as a graph: eight neighbours, direction codes counter-clockwise from east.
 //!
-//! Slots: 0 east, 1 north-east, 2 north, 3 north-west, 4 west, 5 south-west, 6 south, 7 south-east. Opposite slots differ
-//! by 4. Masked nodes hold NaN in every elevation that is passed in, so that no comparison ever chooses them.
+//! Slots: 0 east, 1 north-east, 2 north, 3 north-west, 4 west, 5 south-west, 6 south, 7 south-east.
+//! Opposite slots differ by 4. Masked nodes hold NaN in every elevation that is passed in, so that
+//! no comparison ever chooses them.
 
 use super::domain::steepest_link;
 use super::jitter::Jittered;
@@ -97,8 +98,8 @@ pub struct RasterDomain {
 impl RasterDomain {
     /// From a grid, its validity mask (empty: all valid) and its edges.
     ///
-    /// Nodes on open sides are base level; so is the rim of nodata that reaches an open side. Nodata inside is a hole that
-    /// water does not cross.
+    /// Nodes on open sides are base level; so is the rim of nodata that reaches an open side.
+    /// Nodata inside is a hole that water does not cross.
     pub fn new(grid: &Grid, valid: &[bool]) -> Self {
         let cols = grid.shape.cols as isize;
         let [dx, dy] = grid.spacing;
@@ -233,7 +234,8 @@ impl RasterDomain {
     }
 }
 
-/// Columns 1..cols−1 of a row with a row above and below: the row's values, and those around them, by slot.
+/// Columns 1..cols−1 of a row with a row above and below: the row's values, and those around them,
+/// by slot.
 #[inline]
 fn surrounded(rows: &[f64], cols: usize) -> (&[f64], [&[f64]; 8]) {
     let (up, rest) = rows.split_at(cols);
@@ -245,7 +247,8 @@ fn surrounded(rows: &[f64], cols: usize) -> (&[f64], [&[f64]; 8]) {
     (hc, [he, ue, uc, uw, hw, dw, dc, de])
 }
 
-/// Steepest descent of [`surrounded`] values. Slopes are compared as drop times inverse distance, by slot and column.
+/// Steepest descent of [`surrounded`] values. Slopes are compared as drop times inverse distance,
+/// by slot and column.
 #[inline]
 fn steepest_kernel(rows: &[f64], cols: usize, inverse: impl Fn(usize, usize) -> f64, slots: &mut [u8]) {
     let (here, around) = surrounded(rows, cols);
@@ -269,7 +272,8 @@ fn saddle_kernel(rows: &[f64], cols: usize, saddles: &mut [u8]) {
     let out = &mut saddles[1..cols - 1];
     for j in 0..cols - 2 {
         let z = here[j];
-        // Of equals the one with the lower index is lower: north-east, north, north-west and west come before.
+        // Of equals the one with the lower index is lower: north-east, north, north-west and west
+        // come before.
         let lower = [e[j] < z, ne[j] <= z, n[j] <= z, nw[j] <= z, w[j] <= z, sw[j] < z, s[j] < z, se[j] < z];
         out[j] = lower.iter().enumerate().fold(0, |mask, (k, &l)| mask | u8::from(l) << k);
     }

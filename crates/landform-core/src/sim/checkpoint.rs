@@ -1,8 +1,9 @@
 //! One container for checkpoints and the cache: compressed, versioned, checksummed, named.
 //!
-//! Layout: 8 bytes magic, 32 bytes SHA-256 of the rest, then kind and key (each a byte of length and text), then the payload
-//! (postcard) as an LZ4 frame, written as it is made, so that no second copy of the value stands in memory. Floats keep every
-//! bit. Anything foreign, truncated or changed is an error that says so.
+//! Layout: 8 bytes magic, 32 bytes SHA-256 of the rest, then kind and key (each a byte of length
+//! and text), then the payload (postcard) as an LZ4 frame, written as it is made, so that no second
+//! copy of the value stands in memory. Floats keep every bit. Anything foreign, truncated or
+//! changed is an error that says so.
 
 use lz4_flex::frame::{FrameDecoder, FrameEncoder};
 use serde::Serialize;
@@ -33,7 +34,8 @@ pub fn pack(kind: &str, key: &str, value: &impl Serialize) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whether bytes carry this kind and key, if they are whole and undamaged. The first few hundred will do.
+/// Whether bytes carry this kind and key, if they are whole and undamaged. The first few hundred
+/// will do.
 pub fn is_for(kind: &str, key: &str, bytes: &[u8]) -> bool {
     let names: Vec<u8> = [kind, key].iter().flat_map(|t| std::iter::once(t.len() as u8).chain(t.bytes())).collect();
     bytes.get(40..).is_some_and(|body| body.starts_with(&names))
@@ -57,7 +59,8 @@ pub fn undamaged(bytes: &[u8]) -> Result<&[u8]> {
     Ok(body)
 }
 
-/// The value in a container that [`pack`] made with the same kind and key. A first part of the value may be read alone.
+/// The value in a container that [`pack`] made with the same kind and key. A first part of the
+/// value may be read alone.
 ///
 /// # Errors
 /// [`Error::Format`] that says whether the bytes are foreign, damaged, or belong to something else.

@@ -1,4 +1,5 @@
-//! Running processes in time: a [`Model`] is stepped, examined and changed; a [`Simulation`] runs it to an end.
+//! Running processes in time: a [`Model`] is stepped, examined and changed; a [`Simulation`] runs
+//! it to an end.
 
 mod checkpoint;
 mod model;

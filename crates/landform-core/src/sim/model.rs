@@ -54,11 +54,12 @@ pub fn saved_steps(key: &str, saved: &[u8]) -> Result<u64> {
     unpack::<Clock>("checkpoint", key, saved).map(|clock| clock.steps)
 }
 
-/// A terrain, the processes that act on it with their states, and a clock. It owns all its data, so that it can be kept, sent to
-/// another thread, and changed between steps.
+/// A terrain, the processes that act on it with their states, and a clock. It owns all its data, so
+/// that it can be kept, sent to another thread, and changed between steps.
 ///
-/// In a step processes act one after the other in the order in which they were added (sequential splitting). After each, a guard
-/// looks for numbers that are not finite. The same calls give the same bits.
+/// In a step processes act one after the other in the order in which they were added (sequential
+/// splitting). After each, a guard looks for numbers that are not finite. The same calls give the
+/// same bits.
 ///
 /// ```
 /// use landform_core::grid::{Grid, Shape};
@@ -266,8 +267,8 @@ impl<T: Terrain> Model<T> {
     /// Takes one step, of at most `at_most` seconds and as long as all processes allow.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the step is not positive; [`Error::NonFinite`] if a number is not finite after a process; or if a
-    /// process fails.
+    /// [`Error::Parameter`] if the step is not positive; [`Error::NonFinite`] if a number is not
+    /// finite after a process; or if a process fails.
     pub fn step(&mut self, at_most: f64) -> Result<StepReport> {
         if !(at_most > 0.0 && at_most.is_finite()) {
             return Err(Error::parameter("dt", format!("{at_most} s"), "> 0 s, for example \"1 kyr\""));
@@ -303,7 +304,8 @@ impl<T: Terrain> Model<T> {
         (0..steps).try_fold(Change::default(), |change, _| Ok(change.plus(self.step(self.dt)?.change)))
     }
 
-    /// Lets processes add their derived fields, as after the last step. The model can go on afterwards.
+    /// Lets processes add their derived fields, as after the last step. The model can go on
+    /// afterwards.
     ///
     /// # Errors
     /// If a process fails; the error is the process's own.
@@ -313,8 +315,9 @@ impl<T: Terrain> Model<T> {
         processes.iter_mut().try_for_each(|process| process.finish(terrain, environment))
     }
 
-    /// Changes the terrain from outside. Volume that the edit adds or takes is counted as supplied or as removed, so that mass
-    /// closes. Sediment that processes carried is counted as exported. Then the processes begin anew on the terrain.
+    /// Changes the terrain from outside. Volume that the edit adds or takes is counted as supplied
+    /// or as removed, so that mass closes. Sediment that processes carried is counted as exported.
+    /// Then the processes begin anew on the terrain.
     ///
     /// # Errors
     /// If a process no longer finds what it needs. The edit is kept.
@@ -336,8 +339,8 @@ impl<T: Terrain> Model<T> {
     /// Gives a process other parameters; it begins anew on the terrain as it is.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if there is no such process or a parameter is out of range; or if the process does not find what it
-    /// needs.
+    /// [`Error::Parameter`] if there is no such process or a parameter is out of range; or if the
+    /// process does not find what it needs.
     pub fn set<P: Process<T>>(&mut self, index: usize, params: P) -> Result<()> {
         params.validate()?;
         let found = self.processes.get(index).map(|p| p.name());
@@ -361,8 +364,8 @@ impl<T: Terrain> Model<T> {
         Ok(())
     }
 
-    /// Everything that [`Model::restore`] needs, as bytes; `key` names what it belongs to. The terrain is written as it stands,
-    /// without a second copy.
+    /// Everything that [`Model::restore`] needs, as bytes; `key` names what it belongs to. The
+    /// terrain is written as it stands, without a second copy.
     ///
     /// # Errors
     /// [`Error::Format`] if a state cannot be encoded.

@@ -39,7 +39,8 @@ impl<T: Terrain> Refining<T> {
         while let Some(level) = levels.pop() {
             let fine = model.exchange(level);
             if self.start_shaped(model, coarse.as_ref()).is_err() {
-                // Too coarse, for the outlets that were asked for for example; the finest level says what is really wrong.
+                // Too coarse, for the outlets that were asked for for example; the finest level
+                // says what is really wrong.
                 model.exchange(fine);
                 continue;
             }

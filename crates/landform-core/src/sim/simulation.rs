@@ -38,8 +38,9 @@ type Saver<'a, T> = Box<dyn FnMut(&Model<T>) -> Result<()> + Send + 'a>;
 
 /// Runs a model until a condition stops it, and calls observers on the way.
 ///
-/// A step is the least of the clock's step, the steps that processes allow, and the time to the next scheduled observation.
-/// Whether a run was interrupted and resumed makes no difference to its bits.
+/// A step is the least of the clock's step, the steps that processes allow, and the time to the
+/// next scheduled observation. Whether a run was interrupted and resumed makes no difference to its
+/// bits.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -75,8 +76,9 @@ impl<T: NodeSurface> Simulation<'_, T> {
 }
 
 impl<T: Refine + NodeSurface> Simulation<'_, T> {
-    /// First brings terrains of this many coarser levels to a steady state, each from the one before, and starts from the last.
-    /// It serves steady states only, since the path to them is no history.
+    /// First brings terrains of this many coarser levels to a steady state, each from the one
+    /// before, and starts from the last. It serves steady states only, since the path to them is no
+    /// history.
     pub fn refine(mut self, levels: u32) -> Self {
         self.refining = (levels > 0).then(|| Refining::new(levels));
         self
@@ -156,7 +158,8 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         self
     }
 
-    /// Calls `save` (which may use [`Model::save`]) each time this many seconds of wall-clock time have passed.
+    /// Calls `save` (which may use [`Model::save`]) each time this many seconds of wall-clock time
+    /// have passed.
     pub fn save_every(mut self, seconds: f64, save: impl FnMut(&Model<T>) -> Result<()> + Send + 'a) -> Self {
         self.saver = Some((seconds, Instant::now(), Box::new(save)));
         self
@@ -191,11 +194,12 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         Ok(self)
     }
 
-    /// Runs until a condition stops it. A cancelled run can be saved and resumed; any other is finished.
+    /// Runs until a condition stops it. A cancelled run can be saved and resumed; any other is
+    /// finished.
     ///
     /// # Errors
-    /// If a process or an observer fails; [`Error::NonFinite`] if a number is not finite after a process; [`Error::Parameter`] if
-    /// the clock cannot run.
+    /// If a process or an observer fails; [`Error::NonFinite`] if a number is not finite after a
+    /// process; [`Error::Parameter`] if the clock cannot run.
     pub fn run(&mut self) -> Result<Outcome> {
         self.check_clock()?;
         // Other ends come sooner or later than a number of steps.

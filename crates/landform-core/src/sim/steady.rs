@@ -21,7 +21,8 @@ pub(super) fn step_watched<T: Terrain>(
     Ok(report)
 }
 
-/// The greatest change over what supply would have raised, or over the relief where a long step would have raised more.
+/// The greatest change over what supply would have raised, or over the relief where a long step
+/// would have raised more.
 fn residual(before: &[f64], after: &[f64], raised: f64) -> f64 {
     let greatest = parallel::max(after.len(), |i| (after[i] - before[i]).abs()).max(0.0);
     let relief = parallel::max(after.len(), |i| after[i]) + parallel::max(after.len(), |i| -after[i]);

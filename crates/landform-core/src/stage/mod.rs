@@ -1,8 +1,9 @@
 //! Stages by name, as recipes use them, and how they are run.
 //!
-//! A [`Stage`] is a row of a table: a name, a description of its parameters, and a function for each kind of terrain. Every
-//! phenomenon exports its own rows, made by [`stages!`](crate::stages). Only the facade has a list of all; it joins the rows.
-//! Parameters are read once, to a [`ReadStage`].
+//! A [`Stage`] is a row of a table: a name, a description of its parameters, and a function for
+//! each kind of terrain. Every phenomenon exports its own rows, made by [`stages!`](crate::stages).
+//! Only the facade has a list of all; it joins the rows. Parameters are read once, to a
+//! [`ReadStage`].
 
 mod parameters;
 mod read;

@@ -134,7 +134,8 @@ impl ReadStage {
     /// Adds a process to a [`crate::sim::Model`], given as what it is.
     ///
     /// # Errors
-    /// As [`crate::sim::Model::add`]; [`Error::Unsupported`] for a model of another kind of terrain, or another stage.
+    /// As [`crate::sim::Model::add`]; [`Error::Unsupported`] for a model of another kind of
+    /// terrain, or another stage.
     pub fn add_to(&self, kind: Kind, model: &mut dyn Any) -> Result<()> {
         match self.act(Some(kind))?.run {
             Run::Process { add, .. } => add(&*self.parameters.value, model),

@@ -18,7 +18,8 @@ pub trait Rasterize: NodeSurface {
     /// Where [`HeightField::new`] fails.
     fn rasterized(&self) -> Result<Cow<'_, HeightField>>;
 
-    /// The same ground on nodes off the centres of the cells, by a seed; none if nodes stand on no lattice, or do so already.
+    /// The same ground on nodes off the centres of the cells, by a seed; none if nodes stand on no
+    /// lattice, or do so already.
     fn jittered(&self, _: Seed) -> Option<Self> {
         None
     }
@@ -57,7 +58,8 @@ pub trait Surface: Rasterize + Ground + Refine + Representation {}
 
 impl<T: Rasterize + Ground + Refine + Representation> Surface for T {}
 
-/// What every body of ground that recipes pass on can do, whether or not it has one elevation a node.
+/// What every body of ground that recipes pass on can do, whether or not it has one elevation a
+/// node.
 pub trait Body: Erodible + Representation {}
 
 impl<T: Erodible + Representation> Body for T {}
@@ -122,7 +124,8 @@ macro_rules! representations {
         }
 
         impl AnyTerrain {
-            /// Elevation per node, m; NaN on nodata. Empty for bodies without a single elevation a node.
+            /// Elevation per node, m; NaN on nodata. Empty for bodies without a single elevation a
+            /// node.
             pub fn elevation(&self) -> &[f64] {
                 // A visitor cannot hand out what it borrows.
                 None$(.or_else(|| <$type>::of(self).map(NodeSurface::elevation)))*.unwrap_or(&[])

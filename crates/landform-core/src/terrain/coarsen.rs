@@ -10,9 +10,10 @@ use crate::parallel;
 const FEWEST: usize = 200;
 
 impl Mesh {
-    /// A mesh of about a quarter of the nodes, all of them nodes of this one: none nearer to another than twice the usual
-    /// distance. Corners come first, then base levels, then the border, then the rest, so that outlets stay. Status and
-    /// fields are those of the nodes. **Cost** O(n log n).
+    /// A mesh of about a quarter of the nodes, all of them nodes of this one: none nearer to
+    /// another than twice the usual distance. Corners come first, then base levels, then the
+    /// border, then the rest, so that outlets stay. Status and fields are those of the
+    /// nodes. **Cost** O(n log n).
     pub(super) fn quarter(&self) -> Option<Self> {
         let n = self.positions().len();
         if n < 4 * FEWEST {
@@ -147,7 +148,8 @@ impl HeightField {
         Some(field)
     }
 
-    /// Takes the elevation of interior nodes from a coarser raster, bilinearly; nodes beyond it or beside its nodata keep theirs.
+    /// Takes the elevation of interior nodes from a coarser raster, bilinearly; nodes beyond it or
+    /// beside its nodata keep theirs.
     pub(super) fn take_from(&mut self, coarse: &Self) {
         let domain = self.domain();
         let grid = self.grid().clone();

@@ -8,9 +8,11 @@ use crate::field::{Fields, Values};
 use crate::grid::{Domain, Grid, Neighbours, Status};
 use crate::{Result, parallel};
 
-/// A raster of a mesh: linear on each triangle for real fields, the nearest corner's value for identifiers.
+/// A raster of a mesh: linear on each triangle for real fields, the nearest corner's value for
+/// identifiers.
 ///
-/// Nodes outside of the hull become nodata. **Cost** O(nodes + cells), after Bell's O(cells × kernel).
+/// Nodes outside of the hull become nodata. **Cost** O(nodes + cells), after Bell's O(cells ×
+/// kernel).
 ///
 /// `receiver`, which holds indices of nodes, is left behind. Outlets that were chosen come along.
 ///
@@ -139,7 +141,8 @@ fn locate(mesh: &Mesh, grid: &Grid) -> Vec<u32> {
 }
 
 fn inside(t: [[f64; 2]; 3], p: [f64; 2]) -> bool {
-    // Columns grow east and rows south, so a triangle that is counter-clockwise on the ground is clockwise here.
+    // Columns grow east and rows south, so a triangle that is counter-clockwise on the ground is
+    // clockwise here.
     let side = |a: [f64; 2], b: [f64; 2]| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) <= 1e-9;
     side(t[0], t[1]) && side(t[1], t[2]) && side(t[2], t[0])
 }
@@ -151,12 +154,13 @@ pub enum Interpolation {
     /// Straight lines: no value beyond the nodes'.
     #[default]
     Linear,
-    /// Smooth curves through the nodes (Catmull and Rom 1974): no creases, but a little beyond the nodes at sharp edges.
+    /// Smooth curves through the nodes (Catmull and Rom 1974): no creases, but a little beyond the
+    /// nodes at sharp edges.
     Cubic,
 }
 
-/// A raster on another grid: interpolated where the new cells are not larger, else the mean over the new cell. Nodata spreads
-/// to cells that lack data for half of their weight.
+/// A raster on another grid: interpolated where the new cells are not larger, else the mean over
+/// the new cell. Nodata spreads to cells that lack data for half of their weight.
 ///
 /// ```
 /// use landform_core::grid::{Grid, Shape};
@@ -212,7 +216,8 @@ pub fn resample(source: &HeightField, grid: &Grid, interpolation: Interpolation)
     Ok(field)
 }
 
-/// Outlets that were chosen, on another raster: nodes next to an old outlet, and those whose nearest old node is one.
+/// Outlets that were chosen, on another raster: nodes next to an old outlet, and those whose
+/// nearest old node is one.
 fn outlets_on(old: &Grid, status: &[Status], field: &HeightField) -> Vec<Status> {
     let (grid, z) = (field.grid(), field.elevation());
     let held = |i: usize| old.node_at(grid.position(i)).is_some_and(|k| status[k] == Status::BaseLevel);
@@ -229,8 +234,8 @@ fn outlets_on(old: &Grid, status: &[Status], field: &HeightField) -> Vec<Status>
     new
 }
 
-/// Value at a position beside a node. Beyond the sides it goes on as a plane would, if the node is not beyond them: the mean about a node
-/// of the border is then one of the border.
+/// Value at a position beside a node. Beyond the sides it goes on as a plane would, if the node is
+/// not beyond them: the mean about a node of the border is then one of the border.
 fn sample_within(interpolation: Interpolation, grid: &Grid, values: &[f64], node: [f64; 2], position: [f64; 2]) -> f64 {
     let [lo, hi] = grid.bounds();
     let clamped = |p: [f64; 2]| [0, 1].map(|k| p[k].clamp(lo[k], hi[k]));
@@ -287,7 +292,8 @@ fn on_rim(grid: &Grid, i: usize) -> bool {
     cell.row == 0 || cell.col == 0 || cell.row + 1 == grid.shape.rows || cell.col + 1 == grid.shape.cols
 }
 
-/// Points (x, y, z in m) and counter-clockwise triangles of a raster; squares with a nodata corner are left out.
+/// Points (x, y, z in m) and counter-clockwise triangles of a raster; squares with a nodata corner
+/// are left out.
 pub fn mesh_parts_from_height_field(field: &HeightField) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let shape = field.grid().shape;
     let z = field.elevation();

@@ -27,14 +27,16 @@ pub trait Erodible: Ground {
     /// Removes a volume (m³) around a point and returns the volume that was removed.
     fn remove(&mut self, brush: Brush, volume: f64) -> Removed;
 
-    /// Deposits a volume (m³) of a material around a point and returns the volume that was deposited, m³.
+    /// Deposits a volume (m³) of a material around a point and returns the volume that was
+    /// deposited, m³.
     ///
     /// # Errors
     /// [`crate::Error::Parameter`] for a material that is not in the table of layered ground.
     fn deposit(&mut self, brush: Brush, volume: f64, material: &str) -> Result<f64>;
 }
 
-/// Nodes under a brush with weights that sum to 1; the nearest node alone where the brush is finer than the nodes.
+/// Nodes under a brush with weights that sum to 1; the nearest node alone where the brush is finer
+/// than the nodes.
 fn weights<T: NodeSurface>(terrain: &T, brush: Brush) -> Vec<(usize, f64)> {
     let domain = terrain.domain();
     let status = domain.status();

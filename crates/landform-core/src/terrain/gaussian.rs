@@ -3,15 +3,16 @@
 use super::{HeightField, Mesh, NodeSurface};
 use crate::{math, parallel};
 
-/// Elevation on the nodes of `onto` as the mean of the mesh's nodes under a Gaussian kernel of `sigma` cells.
+/// Elevation on the nodes of `onto` as the mean of the mesh's nodes under a Gaussian kernel of
+/// `sigma` cells.
 ///
-/// Every node is shared among the four cells around it, sums and weights are blurred along rows and then columns: O(cells ·
-/// sigma), where the thesis' sum over all nodes for every cell is O(cells · nodes). Where the kernel (cut at 4 sigma) reaches no
-/// node, the value of `onto` is kept.
+/// Every node is shared among the four cells around it, sums and weights are blurred along rows and
+/// then columns: O(cells · sigma), where the thesis' sum over all nodes for every cell is O(cells ·
+/// nodes). Where the kernel (cut at 4 sigma) reaches no node, the value of `onto` is kept.
 ///
 /// # Sources
-/// Bell (thesis), algorithm 10, with the distance taken from the cell's own position and the sum returned (validation notes
-/// 3.3). A kernel mean lowers ridges and does not reproduce slopes.
+/// Bell (thesis), algorithm 10, with the distance taken from the cell's own position and the sum
+/// returned (validation notes 3.3). A kernel mean lowers ridges and does not reproduce slopes.
 pub fn gaussian_from_mesh(mesh: &Mesh, onto: &HeightField, sigma: f64) -> Vec<f64> {
     let grid = onto.grid();
     let shape = grid.shape;

@@ -22,8 +22,8 @@ pub trait Ground: Terrain {
     /// The distance below which the surface is not resolved, m.
     fn resolution(&self) -> f64;
 
-    /// Unit normal of the surface at a place, pointing out of the ground; straight up beyond the ground. By default from
-    /// differences over the resolution.
+    /// Unit normal of the surface at a place, pointing out of the ground; straight up beyond the
+    /// ground. By default from differences over the resolution.
     fn normal_at(&self, place: [f64; 2]) -> [f64; 3] {
         let Some(middle) = self.height_at(place) else { return [0.0, 0.0, 1.0] };
         let half = 0.5 * self.resolution();
@@ -41,8 +41,9 @@ pub trait Ground: Terrain {
         [-gx / length, -gy / length, 1.0 / length]
     }
 
-    /// Where a straight line from `from` to `to` first enters the ground, as a part of its length, 0 to 1; none if it does not.
-    /// By default in steps of half the resolution, halved further to a thousandth of it: narrower ridges are missed.
+    /// Where a straight line from `from` to `to` first enters the ground, as a part of its length,
+    /// 0 to 1; none if it does not. By default in steps of half the resolution, halved further to a
+    /// thousandth of it: narrower ridges are missed.
     fn hit(&self, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         let at = |t: f64| [0, 1, 2].map(|k| from[k] + t * (to[k] - from[k]));
         let inside = |t: f64| {

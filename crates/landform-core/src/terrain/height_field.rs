@@ -54,8 +54,8 @@ impl HeightField {
     /// From a grid and its elevations, row-major from the north-west, m; NaN is nodata.
     ///
     /// # Errors
-    /// [`Error::Shape`] if the lengths differ; [`Error::NonFinite`] if an elevation is infinite; [`Error::Empty`] if all
-    /// are nodata.
+    /// [`Error::Shape`] if the lengths differ; [`Error::NonFinite`] if an elevation is infinite;
+    /// [`Error::Empty`] if all are nodata.
     pub fn new(grid: Grid, elevation: Vec<f64>) -> Result<Self> {
         if elevation.len() != grid.len() {
             return Err(Error::Shape {
@@ -126,7 +126,8 @@ impl HeightField {
     }
 }
 
-/// Bilinear value of a raster at a position, or NaN outside or beside nodata. A rounding error outside still counts as in.
+/// Bilinear value of a raster at a position, or NaN outside or beside nodata. A rounding error
+/// outside still counts as in.
 pub(super) fn sample(grid: &Grid, values: &[f64], position: [f64; 2]) -> f64 {
     let [u, v] = grid.col_row(position);
     let (cols, rows) = (grid.shape.cols, grid.shape.rows);

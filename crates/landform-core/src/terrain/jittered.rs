@@ -7,8 +7,8 @@ use crate::parallel;
 use crate::random::Seed;
 
 impl HeightField {
-    /// Elevations at the jittered places, by smooth curves through the nodes. Base levels, nodata and sides stay as they are, and so
-    /// do fields and the depths of layers. **Cost** O(n).
+    /// Elevations at the jittered places, by smooth curves through the nodes. Base levels, nodata
+    /// and sides stay as they are, and so do fields and the depths of layers. **Cost** O(n).
     pub(super) fn off_centres(&self, seed: Seed) -> Option<Self> {
         let regular = self.grid();
         if regular.jitter.is_some() || regular.shape.rows < 3 || regular.shape.cols < 3 {
@@ -27,8 +27,8 @@ impl HeightField {
         Some(field)
     }
 
-    /// Elevations at the centres of the cells, by planes through the nodes around them; base levels keep theirs. Lakes keep their
-    /// level. None if the nodes are there already. **Cost** O(n).
+    /// Elevations at the centres of the cells, by planes through the nodes around them; base levels
+    /// keep theirs. Lakes keep their level. None if the nodes are there already. **Cost** O(n).
     pub(super) fn on_centres(&self) -> Option<Self> {
         let domain = self.domain();
         let centres = domain.centres()?;

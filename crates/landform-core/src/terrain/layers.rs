@@ -1,9 +1,9 @@
 //! Layers under the surface: beds of rock, and loose layers on them.
 //!
-//! Beds follow from elevation, so that erosion of rock needs no bookkeeping: a node's rock at elevation z lies at the depth
-//! `datum − z` in a sequence that repeats downwards, where `datum` is the elevation of the sequence's top. Uplift moves the
-//! datum. Loose layers are depths on every node, at most one a material, and lie on each other in the order of the table of
-//! materials.
+//! Beds follow from elevation, so that erosion of rock needs no bookkeeping: a node's rock at
+//! elevation z lies at the depth `datum − z` in a sequence that repeats downwards, where `datum` is
+//! the elevation of the sequence's top. Uplift moves the datum. Loose layers are depths on every
+//! node, at most one a material, and lie on each other in the order of the table of materials.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,8 @@ use crate::{Error, Result, math, parallel};
 pub enum Layer<'a> {
     /// Rock, with all that lies on it: uplift, faults, edits of the shape.
     Bedrock,
-    /// The surface: where it sinks, the uppermost material is removed first; where it rises, this material is deposited.
+    /// The surface: where it sinks, the uppermost material is removed first; where it rises, this
+    /// material is deposited.
     Surface(&'a str),
 }
 
@@ -103,8 +104,8 @@ impl Layers {
         Self { materials: materials.clone(), beds: None, loose: Vec::new(), moved, nodes }
     }
 
-    /// Rock in beds, from the top, repeated downwards (and upwards); `datum` is the elevation of the first bed's upper face at
-    /// every node, m.
+    /// Rock in beds, from the top, repeated downwards (and upwards); `datum` is the elevation of
+    /// the first bed's upper face at every node, m.
     ///
     /// # Errors
     /// [`Error::Parameter`] without beds, or for a bed that is not thicker than 0 m.
@@ -183,7 +184,8 @@ impl Layers {
         Column { layers: self, node, top: z, loose: self.loose.len() }
     }
 
-    /// The material at the surface of a node at `z` metres. Films thinner than a millimetre are ignored.
+    /// The material at the surface of a node at `z` metres. Films thinner than a millimetre are
+    /// ignored.
     pub fn surface(&self, node: usize, z: f64) -> &Material {
         self.materials.get(self.surface_number(node, z))
     }
@@ -201,8 +203,8 @@ impl Layers {
         number
     }
 
-    /// The elevation (m) to which ground can stand at a node at `z`, `length` from a place at `base`: each stratum rises at its own
-    /// angle of repose.
+    /// The elevation (m) to which ground can stand at a node at `z`, `length` from a place at
+    /// `base`: each stratum rises at its own angle of repose.
     pub fn stable_height(&self, node: usize, z: f64, base: f64, length: f64) -> f64 {
         // Strata from the surface down to the base, climbed from the lowest.
         let mut rises = [(0.0, 0.0); 16];
@@ -292,7 +294,8 @@ impl Layers {
         self.moved[usize::from(number)].deposited += volume;
     }
 
-    /// The rock at an elevation of a node, looking down: its number, and the elevation of its lower face.
+    /// The rock at an elevation of a node, looking down: its number, and the elevation of its lower
+    /// face.
     fn rock_at(&self, node: usize, z: f64) -> (u8, f64) {
         let Some(beds) = &self.beds else { return (ROCK, f64::NEG_INFINITY) };
         let whole = beds.below[beds.below.len() - 1];

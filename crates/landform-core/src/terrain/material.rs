@@ -28,7 +28,8 @@ pub struct Material {
     pub density: f64,
 }
 
-/// Changes to a material of the table, or a new one, which has the values of `rock` where none are given.
+/// Changes to a material of the table, or a new one, which has the values of `rock` where none are
+/// given.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MaterialParams {
@@ -64,12 +65,12 @@ pub struct MaterialParams {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Materials(Arc<Vec<Material>>);
 
-/// Name, erodibility (1/yr at m = 0.5), repose (deg), limiting slope, solubility, density. Loose ones lie on each other in this
-/// order, the last uppermost.
+/// Name, erodibility (1/yr at m = 0.5), repose (deg), limiting slope, solubility, density. Loose
+/// ones lie on each other in this order, the last uppermost.
 ///
-/// Erodibilities are our own choice. Their spread follows Stock & Montgomery (1999), whose values run over five orders of
-/// magnitude from granite to mudstone; `rock` is the default of `stream_power`. Angles of repose: Selby (1993), table of
-/// strengths, rounded.
+/// Erodibilities are our own choice. Their spread follows Stock & Montgomery (1999), whose values
+/// run over five orders of magnitude from granite to mudstone; `rock` is the default of
+/// `stream_power`. Angles of repose: Selby (1993), table of strengths, rounded.
 const TABLE: &[(&str, f64, f64, f64, f64, f64)] = &[
     ("rock", 2e-6, 60.0, 1.2, 0.0, 2700.0),
     ("granite", 5e-7, 70.0, 1.7, 0.0, 2700.0),
@@ -101,7 +102,8 @@ impl Default for Materials {
 }
 
 impl Materials {
-    /// The table with a recipe's changes and additions. New materials follow the others in the order of their names.
+    /// The table with a recipe's changes and additions. New materials follow the others in the
+    /// order of their names.
     ///
     /// # Errors
     /// [`Error::Parameter`] for more than 255 materials.

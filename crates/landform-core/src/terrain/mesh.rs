@@ -1,16 +1,18 @@
 //! An irregular triangulated terrain: nodes, Delaunay triangles, Voronoi areas.
 //!
 //! # Method
-//! Nodes are numbered along a Hilbert curve before anything else, so that neighbours in space are neighbours in memory and no
-//! result depends on the order in which sites were given. A library triangulates; links are read from its half-edges in
-//! counter-clockwise order. Cell areas are signed sums over triangles (|ij|²/8 · cot of the opposite angle to both ends): exact
-//! Voronoi areas as long as no circumcentre lies outside the hull, and always summing to the hull's area. Where that leaves a
-//! node of the border without area, all nodes take a third of their triangles instead. Unsigned areas, as in Bell's thesis
-//! (algorithm 1), are wrong wherever a triangle is obtuse.
+//! Nodes are numbered along a Hilbert curve before anything else, so that neighbours in space are
+//! neighbours in memory and no result depends on the order in which sites were given. A library
+//! triangulates; links are read from its half-edges in counter-clockwise order. Cell areas are
+//! signed sums over triangles (|ij|²/8 · cot of the opposite angle to both ends): exact Voronoi
+//! areas as long as no circumcentre lies outside the hull, and always summing to the hull's area.
+//! Where that leaves a node of the border without area, all nodes take a third of their triangles
+//! instead. Unsigned areas, as in Bell's thesis (algorithm 1), are wrong wherever a triangle is
+//! obtuse.
 //!
 //! # Sources
-//! Bell (thesis), chapter 3; validation notes 2.11 and 2.12 on signed areas and boundary edges; Meyer et al. (2003) for
-//! cotangent areas; Skilling (2004) for the Hilbert index.
+//! Bell (thesis), chapter 3; validation notes 2.11 and 2.12 on signed areas and boundary edges;
+//! Meyer et al. (2003) for cotangent areas; Skilling (2004) for the Hilbert index.
 //!
 //! # Checked by
 //! `tests::areas_sum_to_the_rectangle`, `tests::numbering_of_the_sites_does_not_matter`.
@@ -52,13 +54,14 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The Delaunay mesh of sites, flat at 0 m. `edges` says which sides of the bounding rectangle are open.
+    /// The Delaunay mesh of sites, flat at 0 m. `edges` says which sides of the bounding rectangle
+    /// are open.
     ///
     /// **Cost** O(n log n).
     ///
     /// # Errors
-    /// [`Error::Parameter`] for fewer than three sites, sites that are equal, not finite or all on a line, and for a node
-    /// with more than 126 neighbours.
+    /// [`Error::Parameter`] for fewer than three sites, sites that are equal, not finite or all on
+    /// a line, and for a node with more than 126 neighbours.
     pub fn delaunay(sites: &[[f64; 2]], edges: Edges) -> Result<Self> {
         if sites.len() < 3 {
             return Err(Error::parameter("nodes", sites.len(), "at least 3"));
@@ -162,7 +165,8 @@ const MOST_NEIGHBOURS: usize = 126;
 
 const EMPTY: usize = delaunator::EMPTY;
 
-/// Per half-edge: |edge|²-independent weight cot(opposite angle)/2, the Voronoi half-face over the edge's length.
+/// Per half-edge: |edge|²-independent weight cot(opposite angle)/2, the Voronoi half-face over the
+/// edge's length.
 fn half_cotangents(positions: &[[f64; 2]], triangles: &[usize]) -> Vec<f64> {
     parallel::map(triangles.len(), |e| {
         let base = e - e % 3;
@@ -229,7 +233,8 @@ fn build_graph(
     Ok(Graph::new(start, links, closed, area, status))
 }
 
-/// A third of the triangles around each node: an area that is positive everywhere and sums to the hull.
+/// A third of the triangles around each node: an area that is positive everywhere and sums to the
+/// hull.
 fn thirds(positions: &[[f64; 2]], triangles: &[usize]) -> Vec<f64> {
     let mut area = vec![0.0; positions.len()];
     for t in triangles.chunks_exact(3) {
@@ -248,7 +253,8 @@ fn square_distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
 }
 
-/// Visits the neighbours of `node` in turn, with a half-edge of each link; returns whether they close a full turn.
+/// Visits the neighbours of `node` in turn, with a half-edge of each link; returns whether they
+/// close a full turn.
 fn fan(node: usize, first: usize, triangles: &[usize], twin: &[usize], mut visit: impl FnMut(usize, usize)) -> bool {
     if first == EMPTY {
         return false;

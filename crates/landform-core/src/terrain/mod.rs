@@ -1,11 +1,13 @@
 //! The representations of a terrain, and their capabilities.
 //!
-//! A representation implements [`Terrain`], and traits for its capabilities: [`Ground`] (elevation of its surface),
-//! [`NodeSurface`] (one elevation per node of a graph), [`Erodible`] (solid can be removed and deposited around a point),
-//! [`Refine`] (it has coarser forms). An algorithm requires capabilities, never a representation. [`AnyTerrain`] holds one of any
-//! kind and has the only `match` over kinds in the project.
+//! A representation implements [`Terrain`], and traits for its capabilities: [`Ground`] (elevation
+//! of its surface), [`NodeSurface`] (one elevation per node of a graph), [`Erodible`] (solid can be
+//! removed and deposited around a point), [`Refine`] (it has coarser forms). An algorithm requires
+//! capabilities, never a representation. [`AnyTerrain`] holds one of any kind and has the only
+//! `match` over kinds in the project.
 //!
-//! Every node surface may be layered: [`Layers`] holds beds of rock and loose layers such as soil, sand and snow.
+//! Every node surface may be layered: [`Layers`] holds beds of rock and loose layers such as soil,
+//! sand and snow.
 //!
 //! Sand that is deposited raises the surface:
 //!
@@ -132,11 +134,13 @@ pub trait NodeSurface: Terrain {
     /// The graph.
     type Domain: Domain;
 
-    /// The graph of the nodes, with base levels on the open border (or where [`NodeSurface::set_status`] put them) and
-    /// nodata masked. **Cost** O(1) after the first call for a status.
+    /// The graph of the nodes, with base levels on the open border (or where
+    /// [`NodeSurface::set_status`] put them) and nodata masked. **Cost** O(1) after the first call
+    /// for a status.
     fn domain(&self) -> Arc<Self::Domain>;
 
-    /// Sets the status of every node (see [`Outlets`](crate::verb::Outlets)); none goes back to what the border says.
+    /// Sets the status of every node (see [`Outlets`](crate::verb::Outlets)); none goes back to
+    /// what the border says.
     fn set_status(&mut self, status: Option<Vec<Status>>);
 
     /// The status of every node as the border alone says.
@@ -185,7 +189,8 @@ pub trait NodeSurface: Terrain {
         None
     }
 
-    /// Moves the ground: beside [`NodeSurface::change_depth`] the one way in which its surface changes. `update` is given the elevations (m); layers follow by `layer`.
+    /// Moves the ground: beside [`NodeSurface::change_depth`] the one way in which its surface
+    /// changes. `update` is given the elevations (m); layers follow by `layer`.
     ///
     /// **Cost** that of `update`; on layered ground O(nodes · layers) more.
     fn change<R>(&mut self, layer: Layer, update: impl FnOnce(&mut [f64]) -> R) -> R {
@@ -202,11 +207,12 @@ pub trait NodeSurface: Terrain {
         result
     }
 
-    /// Sets the depth (m) of a loose layer on every node; the surface rises or sinks with it, nodata excepted. The layer is made
-    /// where there is none.
+    /// Sets the depth (m) of a loose layer on every node; the surface rises or sinks with it,
+    /// nodata excepted. The layer is made where there is none.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a material that is not in the table; [`Error::Shape`] if the length is not that of the nodes.
+    /// [`Error::Parameter`] for a material that is not in the table; [`Error::Shape`] if the length
+    /// is not that of the nodes.
     fn change_depth(&mut self, material: &str, depth: &[f64]) -> Result<()> {
         let (z, layers) = self.parts_mut();
         if depth.len() != z.len() {
@@ -241,8 +247,8 @@ pub trait NodeSurface: Terrain {
         self.layers()?.depth(material)
     }
 
-    /// The values of a name, as they are stored: "elevation", "surface_material", the depth of a loose layer ("sand_depth"), or
-    /// an optional field.
+    /// The values of a name, as they are stored: "elevation", "surface_material", the depth of a
+    /// loose layer ("sand_depth"), or an optional field.
     ///
     /// # Errors
     /// [`Error::MissingField`], naming `needed_by` and what there is.

@@ -2,8 +2,8 @@
 
 use crate::grid::Status;
 
-/// The level of the sea, where base levels look like one: all at or under it, all other ground above. 0 m if it may be that,
-/// else the highest base level.
+/// The level of the sea, where base levels look like one: all at or under it, all other ground
+/// above. 0 m if it may be that, else the highest base level.
 pub fn sea_level(status: &[Status], elevation: &[f64]) -> Option<f64> {
     let of = |kind: Status| (0..status.len()).filter(move |&i| status[i] == kind).map(|i| elevation[i]);
     let (sea, land) =

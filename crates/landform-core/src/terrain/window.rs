@@ -6,8 +6,9 @@ use crate::Result;
 use crate::grid::{Frame, Grid, Status};
 
 impl HeightField {
-    /// The part of this raster that a grid made by [`Grid::window`] of its own grid covers: elevation, layers and fields.
-    /// Receivers and features are left, since they name what may lie outside.
+    /// The part of this raster that a grid made by [`Grid::window`] of its own grid covers:
+    /// elevation, layers and fields. Receivers and features are left, since they name what may lie
+    /// outside.
     ///
     /// # Errors
     /// [`Error::Empty`](crate::Error::Empty) if the part has no data.

@@ -63,7 +63,8 @@ impl<D: Dimension> Changing<D> {
 }
 
 impl<D: Dimension> Changing<D> {
-    /// The mean value from one time (s) to a later one, SI: exact for lines, by Simpson's rule in sixteen parts for cycles.
+    /// The mean value from one time (s) to a later one, SI: exact for lines, by Simpson's rule in
+    /// sixteen parts for cycles.
     pub fn mean(&self, from: f64, to: f64) -> f64 {
         if !(to > from) {
             return self.at(from);

@@ -37,8 +37,8 @@ impl Default for Context<'static> {
 }
 
 impl Context<'_> {
-    /// The part of a generator's grid that is wanted, with the surrounding ground that later stages need; all of it without a
-    /// window.
+    /// The part of a generator's grid that is wanted, with the surrounding ground that later stages
+    /// need; all of it without a window.
     ///
     /// # Errors
     /// Where [`Window::with_margin`] fails.

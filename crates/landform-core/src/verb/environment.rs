@@ -8,12 +8,13 @@ use crate::Result;
 use crate::terrain::Materials;
 use crate::units::{Length, LengthDimension, Rate, RateDimension};
 
-/// Sea level, rain, winds and temperature of a landscape, for every stage that has no values of its own.
+/// Sea level, rain, winds and temperature of a landscape, for every stage that has no values of its
+/// own.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Environment {
-    /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or { mean = "0 m", amplitude =
-    /// "60 m", period = "100 kyr" }. If not given, it is 0 m.
+    /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or
+    /// { mean = "0 m", amplitude = "60 m", period = "100 kyr" }. If not given, it is 0 m.
     pub sea_level: Option<Changing<LengthDimension>>,
     /// Rainfall; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
@@ -68,7 +69,8 @@ impl Environment {
         own.map_or_else(|| self.sea_level_at(time), Length::si)
     }
 
-    /// A stage's own sea level, else that of the environment at the start, m; none where neither is given.
+    /// A stage's own sea level, else that of the environment at the start, m; none where neither is
+    /// given.
     pub fn sea(&self, own: Option<Length>) -> Option<f64> {
         own.map(Length::si).or(self.sea_level.as_ref().map(|level| level.at(0.0)))
     }
@@ -81,7 +83,8 @@ impl Environment {
         }
     }
 
-    /// Elevation at which the mean temperature is 0 degrees Celsius, m, if the temperature is known.
+    /// Elevation at which the mean temperature is 0 degrees Celsius, m, if the temperature is
+    /// known.
     pub fn freezing_level(&self) -> Option<f64> {
         self.temperature.map(|t| 1000.0 * t / self.lapse_rate)
     }

@@ -1,12 +1,15 @@
 //! Formulas of the position.
 //!
-//! Variables: `x`, `y` (m), `u`, `v` (0 to 1, east and north), `r` (0 at the centre, 1 from the nearest edge outwards), `z` (m).
-//! Constants `pi`, `e`. Operators `+ - * / ^`, comparisons (1 or 0), brackets. Functions `abs sqrt exp ln log10 sin cos tan floor
-//! ceil min max step clamp smoothstep lerp if`, and `noise()` in about [−1, 1]: five octaves of gradient noise whose coarsest
-//! waves are an eighth of the terrain wide, `noise(w)` with waves of w metres, `noise(a, b)` at any position (one unit a wave).
+//! Variables: `x`, `y` (m), `u`, `v` (0 to 1, east and north), `r` (0 at the centre, 1 from the
+//! nearest edge outwards), `z` (m). Constants `pi`, `e`. Operators `+ - * / ^`, comparisons (1 or
+//! 0), brackets. Functions
+//! `abs sqrt exp ln log10 sin cos tan floor ceil min max step clamp smoothstep lerp if`, and
+//! `noise()` in about [−1, 1]: five octaves of gradient noise whose coarsest waves are an eighth of
+//! the terrain wide, `noise(w)` with waves of w metres, `noise(a, b)` at any position (one unit a
+//! wave).
 //!
-//! No crate is used: elementary functions must give the same bits on every platform, functions of three arguments are needed, and
-//! errors must name the character.
+//! No crate is used: elementary functions must give the same bits on every platform, functions of
+//! three arguments are needed, and errors must name the character.
 
 use super::super::algo::noise::fbm;
 use crate::random::Seed;

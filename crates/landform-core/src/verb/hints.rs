@@ -1,15 +1,16 @@
 //! Hints for a form that shows a parameter: the usual range, its scale, its purpose, its group.
 //!
-//! `x-soft-min` and `x-soft-max` are the ends of a slider in the customary unit, never outside of `x-min` and `x-max`; `x-scale`
-//! is "linear" or "log"; `x-role` is "resolution", "count", "coarsening", "input" or "output"; `x-group` is "grid", "files",
-//! "surroundings", "options" or "main". Hints that a parameter's schema has already are kept.
+//! `x-soft-min` and `x-soft-max` are the ends of a slider in the customary unit, never outside of
+//! `x-min` and `x-max`; `x-scale` is "linear" or "log"; `x-role` is "resolution", "count",
+//! "coarsening", "input" or "output"; `x-group` is "grid", "files", "surroundings", "options" or
+//! "main". Hints that a parameter's schema has already are kept.
 
 use serde_json::{Map, Value, json};
 
 use crate::units::soft_range;
 
-/// Adds hints to every parameter of a schema, tables within it too; `defaults` in customary units, `inputs` the keys of files
-/// that are read.
+/// Adds hints to every parameter of a schema, tables within it too; `defaults` in customary units,
+/// `inputs` the keys of files that are read.
 pub fn add_hints(schema: &mut Value, defaults: &Value, inputs: &[&str]) {
     let mut tables = Vec::new();
     if let Some(properties) = schema["properties"].as_object_mut() {

@@ -35,7 +35,8 @@ pub trait Maps: Send + Sync {
     /// The grid of a georeferenced raster, without its samples where the format allows it.
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be read, [`Error::Format`] if what it says of itself is not valid.
+    /// [`Error::Io`] if the file cannot be read, [`Error::Format`] if what it says of itself is not
+    /// valid.
     fn grid(&self, path: &Path) -> Result<Grid> {
         self.raster(path).map(|raster| raster.grid().clone())
     }

@@ -1,9 +1,10 @@
 //! The verbs: the kinds of stages, and the traits that they implement.
 //!
-//! *Generate* a start, *edit* it, run a *process* over time, *convert* to another representation, *measure*, *export*.
-//! A verb is a struct of parameters; the struct alone defines its words in recipes, defaults, ranges, help, schema and
-//! citation. Parameters are immutable (`&self`) and state is a value, so a run is a function of (parameters, terrain, seed,
-//! time step).
+//! *Generate* a start, *edit* it, run a *process* over time, *convert* to another
+//! representation, *measure*, *export*. A verb is a struct of parameters; the struct alone defines
+//! its words in recipes, defaults, ranges, help, schema and citation. Parameters are immutable
+//! (`&self`) and state is a value, so a run is a function of (parameters, terrain, seed, time
+//! step).
 
 mod changing;
 mod context;
@@ -81,7 +82,8 @@ pub trait Generator<T: Terrain>: Params {
     /// What it will need.
     ///
     /// # Errors
-    /// Where [`Generator::generate`] would fail, as far as this is known without making the terrain.
+    /// Where [`Generator::generate`] would fail, as far as this is known without making the
+    /// terrain.
     fn estimate(&self, context: &Context) -> Result<Estimate>;
 }
 
@@ -159,7 +161,8 @@ pub trait Process<T: Terrain>: Params {
         false
     }
 
-    /// Whether the end that its parameters ask for is not reached: told of a process that came to rest before it.
+    /// Whether the end that its parameters ask for is not reached: told of a process that came to
+    /// rest before it.
     fn is_short_of_its_end(&self, _terrain: &T, _state: &Self::State) -> bool {
         false
     }
@@ -169,7 +172,8 @@ pub trait Process<T: Terrain>: Params {
         None
     }
 
-    /// Reads the terrain at the start of a step, before any process has changed it: the flow of a step runs over this surface.
+    /// Reads the terrain at the start of a step, before any process has changed it: the flow of a
+    /// step runs over this surface.
     ///
     /// # Errors
     /// If a numerical method fails.
@@ -177,9 +181,10 @@ pub trait Process<T: Terrain>: Params {
         Ok(())
     }
 
-    /// Adapts the state in mid-run to a terrain that was changed from outside, or to other parameters: ground, status and sea may
-    /// all differ. By default the process begins anew. It must not add again the material that it adds at the start of a run
-    /// ([`Context::step`] is 0 only there).
+    /// Adapts the state in mid-run to a terrain that was changed from outside, or to other
+    /// parameters: ground, status and sea may all differ. By default the process begins anew. It
+    /// must not add again the material that it adds at the start of a run ([`Context::step`] is 0
+    /// only there).
     ///
     /// # Errors
     /// Where [`Process::start`] fails.
@@ -235,7 +240,8 @@ pub struct Step {
 
 /// Volumes that one step moved, in m³ of solid.
 ///
-/// Two sums must close: Δvolume = supplied + deposited − eroded, and eroded = deposited + exported + Δcarried.
+/// Two sums must close: Δvolume = supplied + deposited − eroded, and eroded = deposited +
+/// exported + Δcarried.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, serde::Deserialize)]
 pub struct Change {
     /// Brought in from outside, m³: uplift, growth.

@@ -19,7 +19,8 @@ pub enum Stopped {
     ByObserver,
     /// No process had anything left to do.
     AtRest,
-    /// No process had anything left to do, but one had not reached the end that its parameters ask for.
+    /// No process had anything left to do, but one had not reached the end that its parameters ask
+    /// for.
     AtRestTooSoon,
 }
 
@@ -42,7 +43,8 @@ impl Budget {
         if moved == 0.0 { 0.0 } else { ((self.volume_end - self.volume_start - c.volume()) / moved).abs() }
     }
 
-    /// The part of what was eroded that is neither deposited, exported nor carried: 0 up to rounding.
+    /// The part of what was eroded that is neither deposited, exported nor carried: 0 up to
+    /// rounding.
     pub fn sediment_imbalance(&self) -> f64 {
         let c = &self.change;
         if c.eroded == 0.0 { 0.0 } else { ((c.eroded - c.deposited - c.exported - c.carried) / c.eroded).abs() }
@@ -58,8 +60,8 @@ pub struct Outcome {
     pub steps: u64,
     /// Time at the end, s.
     pub time: f64,
-    /// The greatest change of the last step over what supply alone would have raised in it (over 1 m, without supply); none
-    /// if steadiness was not watched for.
+    /// The greatest change of the last step over what supply alone would have raised in it (over 1
+    /// m, without supply); none if steadiness was not watched for.
     pub residual: Option<f64>,
     /// Volumes moved.
     pub budget: Budget,

@@ -33,7 +33,8 @@ pub enum Outlets {
 pub enum NamedOutlets {
     /// The terrain's whole border, the rim of outer nodata included.
     Border,
-    /// The low points of the border; between them the border rises and falls with the land, as on a cut-out of real ground.
+    /// The low points of the border; between them the border rises and falls with the land, as on a
+    /// cut-out of real ground.
     Valleys,
     /// As "valleys", and the rims of nodata inside: water leaves into lakes that were cut out.
     Holes,
@@ -41,8 +42,8 @@ pub enum NamedOutlets {
     Sea,
 }
 
-/// Border nodes where a map is below a fraction of its greatest value. With the map of uplift this is the rule of Bell's thesis
-/// (0.33).
+/// Border nodes where a map is below a fraction of its greatest value. With the map of uplift this
+/// is the rule of Bell's thesis (0.33).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BorderWhere {
@@ -66,10 +67,12 @@ impl Outlets {
         matches!(self, Self::Named(NamedOutlets::Sea))
     }
 
-    /// Makes these nodes, and no others, the terrain's base level, for every process that follows. `sea_level` in m.
+    /// Makes these nodes, and no others, the terrain's base level, for every process that follows.
+    /// `sea_level` in m.
     ///
     /// # Errors
-    /// If a map cannot be read, or if the outlets have no node; then a hint says where water could leave.
+    /// If a map cannot be read, or if the outlets have no node; then a hint says where water could
+    /// leave.
     pub fn apply<T: NodeSurface>(&self, terrain: &mut T, sea_level: f64, context: &Context) -> Result<()> {
         terrain.set_status(None);
         let status = match self {

@@ -10,10 +10,12 @@ pub trait Output {
     /// Puts a whole file at a path relative to the place, all of it or nothing.
     ///
     /// # Errors
-    /// [`Error::Io`] if the file cannot be written, [`Error::Outside`] if the path leads out of the place.
+    /// [`Error::Io`] if the file cannot be written, [`Error::Outside`] if the path leads out of the
+    /// place.
     fn put(&mut self, path: &str, bytes: &[u8]) -> Result<()>;
 
-    /// Takes note of what a file that was put does not hold of the landscape; a place without notes drops it.
+    /// Takes note of what a file that was put does not hold of the landscape; a place without notes
+    /// drops it.
     fn note(&mut self, _text: String) {}
 
     /// The notes since the last call.
@@ -55,7 +57,8 @@ pub fn check_path(path: &str, ends: &[&'static str]) -> Result<()> {
     Err(Error::extension("path", path, ends))
 }
 
-/// The path, if it can be that of a file: not empty, no folder, and not in the folder in which runs keep their state.
+/// The path, if it can be that of a file: not empty, no folder, and not in the folder in which runs
+/// keep their state.
 ///
 /// # Errors
 /// [`Error::Parameter`] if the path cannot be that of a file.

@@ -22,11 +22,12 @@ pub struct Source {
     pub doi: &'static str,
 }
 
-/// The parameters of a stage. From this one struct follow the keys in recipes, defaults, ranges, refusal of unknown keys, JSON
-/// schema, help and citation.
+/// The parameters of a stage. From this one struct follow the keys in recipes, defaults, ranges,
+/// refusal of unknown keys, JSON schema, help and citation.
 ///
-/// Ranges are declared on fields in the customary unit, by `#[schemars(extend("x-min" = 0.0))]`, `x-max`, and `x-above` for
-/// a bound that is itself excluded; [`Params::validate`] reads them back from the schema and enforces them.
+/// Ranges are declared on fields in the customary unit, by `#[schemars(extend("x-min" = 0.0))]`,
+/// `x-max`, and `x-above` for a bound that is itself excluded; [`Params::validate`] reads them back
+/// from the schema and enforces them.
 pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonSchema + Send + Sync + 'static {
     /// Name of the stage in recipes.
     const NAME: &'static str;
@@ -40,7 +41,8 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     const IN_TIME: &'static [&'static str] = &[];
     /// Keys of earlier recipes, and their names now ("steps" → "iterations", "size" → "grid.size").
     const RENAMED: &'static [(&'static str, &'static str)] = &[];
-    /// Keys of earlier recipes that are still read, and the key that says the same now ("rivers" → "features").
+    /// Keys of earlier recipes that are still read, and the key that says the same now ("rivers" →
+    /// "features").
     const OBSOLETE: &'static [(&'static str, &'static str)] = &[];
 
     /// Files that the stage writes, below the output folder.
@@ -53,7 +55,8 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
         Reach::Whole
     }
 
-    /// Whether water follows slopes from node to node of a raster, so that nodes should stand off the centres of their cells.
+    /// Whether water follows slopes from node to node of a raster, so that nodes should stand off
+    /// the centres of their cells.
     fn jitters(&self) -> bool {
         false
     }
@@ -119,8 +122,8 @@ fn choices(property: &Value, definitions: &Value) -> Vec<String> {
     found
 }
 
-/// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties, tables within tables and lists of tables
-/// too.
+/// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties, tables within
+/// tables and lists of tables too.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for the first value outside, with its name as a path: "grid.cell_size".
@@ -137,7 +140,7 @@ fn within(schema: &Value, definitions: &Value, values: &Value, prefix: &str) -> 
         let path = format!("{prefix}{name}");
         let range = range_of(property);
         if let Some((value, text)) = numbers(value).into_iter().find(|(number, _)| !range.contains(*number)) {
-            return Err(Error::OutOfRange { name: path, value, text, range });
+            return Err(Error::OutOfRange { name: path, value, text, range: Box::new(range) });
         }
         if let Some(table) = table_of(property, definitions) {
             let tables = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);

@@ -1,4 +1,5 @@
-//! How far around a node a stage reads, and the windows that can be built alone where that is not far.
+//! How far around a node a stage reads, and the windows that can be built alone where that is not
+//! far.
 
 use crate::grid::Grid;
 use crate::{Error, Result};
@@ -42,7 +43,8 @@ impl std::fmt::Display for Reach {
     }
 }
 
-/// Ground around a window that must be built as well, so that the window is the same as in the whole.
+/// Ground around a window that must be built as well, so that the window is the same as in the
+/// whole.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margin {
     cells: u64,

@@ -27,7 +27,8 @@ impl Role {
     }
 }
 
-/// Parameters as they are where cells are `factor` times as long: by the roles in their schema, tables within tables too.
+/// Parameters as they are where cells are `factor` times as long: by the roles in their schema,
+/// tables within tables too.
 pub fn coarser(schema: &Value, values: &Value, factor: u32) -> Value {
     let mut values = values.clone();
     coarsen(schema, &schema["$defs"], &mut values, f64::from(factor));

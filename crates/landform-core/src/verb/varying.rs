@@ -1,4 +1,5 @@
-//! Values that may vary in space: one quantity, a picture, a raster, a formula, or a field that is already there.
+//! Values that may vary in space: one quantity, a picture, a raster, a formula, or a field that is
+//! already there.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -134,7 +135,8 @@ impl<D: Dimension> From<Quantity<D>> for Varying<D> {
 }
 
 impl<D: Dimension> Varying<D> {
-    /// The mean from one time (s) to a later one, SI, where the quantity changes in time; none where it does not.
+    /// The mean from one time (s) to a later one, SI, where the quantity changes in time; none
+    /// where it does not.
     pub fn in_time(&self, from: f64, to: f64) -> Option<f64> {
         if let Self::InTime(course) = self { Some(course.mean(from, to)) } else { None }
     }
@@ -144,12 +146,13 @@ impl<D: Dimension> Varying<D> {
         if let Self::Feature { buffer, .. } = self { Reach::Distance(buffer.si()) } else { Reach::Point }
     }
 
-    /// The values on the nodes of a terrain, SI; evaluated once, so that a formula of z uses the elevation as it is now, and a
-    /// course in time its value at the start ([`Varying::in_time`] gives it later).
+    /// The values on the nodes of a terrain, SI; evaluated once, so that a formula of z uses the
+    /// elevation as it is now, and a course in time its value at the start ([`Varying::in_time`]
+    /// gives it later).
     ///
     /// # Errors
-    /// If a file or a field is missing, a raster does not cover the terrain, or a value is not finite; the error names the
-    /// parameter `name`.
+    /// If a file or a field is missing, a raster does not cover the terrain, or a value is not
+    /// finite; the error names the parameter `name`.
     pub fn resolve<T: NodeSurface>(&self, name: &str, terrain: &T, context: &impl Lookup) -> Result<Resolved> {
         let n = terrain.elevation().len();
         let values = match self {
@@ -220,7 +223,8 @@ impl<D: Dimension> Varying<D> {
     }
 }
 
-/// A position on the outer half of a pixel as one between the pixels' centres: the outermost values hold to the pixels' edges.
+/// A position on the outer half of a pixel as one between the pixels' centres: the outermost values
+/// hold to the pixels' edges.
 fn within_pixels(grid: &Grid, position: [f64; 2]) -> [f64; 2] {
     let [lo, hi] = grid.bounds();
     let near = |k: usize| position[k].clamp(lo[k], hi[k]);

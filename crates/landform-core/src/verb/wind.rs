@@ -29,7 +29,8 @@ impl Wind {
         Self { from: Angle::of(degrees), weight }
     }
 
-    /// Unit vector that it blows along, x east and y north. Winds along rows, columns and diagonals are exactly that.
+    /// Unit vector that it blows along, x east and y north. Winds along rows, columns and diagonals
+    /// are exactly that.
     pub fn towards(self) -> [f64; 2] {
         let angle = self.from.si();
         let clean = |v: f64| if v.abs() < 1e-12 { 0.0 } else { v };
@@ -87,7 +88,8 @@ impl Rose {
         self.winds.len() - 1
     }
 
-    /// Mean vector of all winds by weight: its direction is where sand goes, its length (RDP/DP) how steady the regime is, 0 to 1.
+    /// Mean vector of all winds by weight: its direction is where sand goes, its length (RDP/DP)
+    /// how steady the regime is, 0 to 1.
     pub fn resultant(&self) -> [f64; 2] {
         self.winds.iter().fold([0.0; 2], |[x, y], w| {
             let [dx, dy] = w.towards();

@@ -42,7 +42,8 @@ fn value(property: &Property) -> Json {
     }
 }
 
-/// A collection as text, one feature a line: small differences stay small. Metres that were made from degrees are written as degrees.
+/// A collection as text, one feature a line: small differences stay small. Metres that were made
+/// from degrees are written as degrees.
 pub(super) fn collection(title: &str, place: &impl NodeSurface, mut features: Vec<Json>) -> Result<String> {
     let mut collection = json!({ "type": "FeatureCollection", "name": title });
     let mut epsg = place.epsg();

@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 
 use super::geojson::{collection, json_of};
 
-/// Writes contours as GeoJSON lines in the landscape's own metres. Closed contours are rings with high ground on their left. The
-/// contour of one level alone is a coast.
+/// Writes contours as GeoJSON lines in the landscape's own metres. Closed contours are rings with
+/// high ground on their left. The contour of one level alone is a coast.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteContours {
@@ -20,7 +20,8 @@ pub struct WriteContours {
     pub path: String,
     /// Elevations of the contours. If none are given, they lie at every interval.
     pub levels: Vec<Length>,
-    /// Difference between levels. If not given, it is a round number that gives about fifteen levels.
+    /// Difference between levels. If not given, it is a round number that gives about fifteen
+    /// levels.
     #[schemars(extend("x-above" = 0.0))]
     pub interval: Option<Length>,
     /// Lines shorter than this are left out.

@@ -11,15 +11,16 @@ use serde::{Deserialize, Serialize};
 
 use super::geojson::{collection, json_of};
 
-/// Writes rivers, lakes and basins with their properties as GeoJSON, in the landscape's own metres. Rivers are lines that only
-/// run downhill (x, y and the water's elevation); lakes and basins are polygons.
+/// Writes rivers, lakes and basins with their properties as GeoJSON, in the landscape's own metres.
+/// Rivers are lines that only run downhill (x, y and the water's elevation); lakes and basins are
+/// polygons.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteFeatures {
     /// Path below the output folder.
     pub path: String,
-    /// Kinds of features that are written. Features that the landscape already has are written as they are; others are found
-    /// first.
+    /// Kinds of features that are written. Features that the landscape already has are written as
+    /// they are; others are found first.
     pub features: Vec<FeatureWord>,
     /// Key of earlier recipes: false leaves rivers out.
     pub rivers: Option<bool>,
@@ -27,17 +28,18 @@ pub struct WriteFeatures {
     pub lakes: Option<bool>,
     /// Key of earlier recipes: false leaves basins out.
     pub basins: Option<bool>,
-    /// Least drainage area of a river and of a basin. If not given, it is a two-thousandth of the map.
+    /// Least drainage area of a river and of a basin. If not given, it is a two-thousandth of the
+    /// map.
     #[schemars(extend("x-above" = 0.0))]
     pub least_area: Option<Area>,
     /// Least depth of a lake, where it is deepest.
     #[schemars(extend("x-min" = 0.0))]
     pub least_depth: Length,
-    /// Sea level, at which rivers end. If not given, it is the environment's; without one, rivers end at the landscape's own
-    /// outlets.
+    /// Sea level, at which rivers end. If not given, it is the environment's; without one, rivers
+    /// end at the landscape's own outlets.
     pub sea_level: Option<Length>,
-    /// Rainfall from which discharge follows, where the landscape has no field of discharge; all of it runs off. If not given, it
-    /// is the environment's, or else 1 m/yr.
+    /// Rainfall from which discharge follows, where the landscape has no field of discharge; all of
+    /// it runs off. If not given, it is the environment's, or else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Rate>,
     /// Width of a river that carries 1 m3/s, m, where the depth of the water is not known.

@@ -14,8 +14,9 @@ use super::{WriteContours, WriteFeatures};
 use crate::format::{RasterFile, encode_png, raster_format};
 use crate::report::{field_pictures, spectrum_picture};
 
-/// Writes maps derived from the ground into a folder: pictures (shaded relief, slope, drainage area, curvature, position,
-/// spectrum), GeoTIFFs (slope, aspect, drainage area) and GeoJSON (contours, rivers, lakes, basins).
+/// Writes maps derived from the ground into a folder: pictures (shaded relief, slope, drainage
+/// area, curvature, position, spectrum), GeoTIFFs (slope, aspect, drainage area) and GeoJSON
+/// (contours, rivers, lakes, basins).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteMaps {

@@ -28,20 +28,23 @@ pub enum MeshSurface {
 /// Water shallower than this is left out of its sheet, m.
 const SHALLOWEST: f64 = 0.1;
 
-/// Writes the surface as triangles in metres; the extension sets the format: glb (y up), obj, ply, stl (z up).
+/// Writes the surface as triangles in metres; the extension sets the format: glb (y up), obj, ply,
+/// stl (z up).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteMesh {
     /// Path below the output folder.
     pub path: String,
-    /// "ground", or "water": the surface of rivers and lakes, on a raster that has a depth of water.
+    /// "ground", or "water": the surface of rivers and lakes, on a raster that has a depth of
+    /// water.
     pub surface: MeshSurface,
-    /// Depth of a floor under the lowest point: with walls down to it the mesh is watertight, for printing. If not given, only
-    /// the surface is written.
+    /// Depth of a floor under the lowest point: with walls down to it the mesh is watertight, for
+    /// printing. If not given, only the surface is written.
     #[schemars(extend("x-above" = 0.0))]
     pub solid_base: Option<Length>,
-    /// Voxels only: rounds that smooth their steps; bodies shrink a little. No point moves by more than half a voxel along an
-    /// axis, and those on the sides of the box stay in them. 0 keeps the faces of voxels, and encloses their volume exactly.
+    /// Voxels only: rounds that smooth their steps; bodies shrink a little. No point moves by more
+    /// than half a voxel along an axis, and those on the sides of the box stay in them. 0 keeps the
+    /// faces of voxels, and encloses their volume exactly.
     #[schemars(extend("x-min" = 0, "x-max" = 100))]
     pub smoothing: u32,
 }

@@ -57,8 +57,8 @@ pub enum ViewKind {
     Map,
     /// A block of land under a low sun.
     Perspective,
-    /// The spectral density of relief over the plane of wave numbers, with long waves in the middle. Density and radius are
-    /// logarithmic.
+    /// The spectral density of relief over the plane of wave numbers, with long waves in the
+    /// middle. Density and radius are logarithmic.
     Spectrum,
 }
 

@@ -14,8 +14,9 @@ use crate::format::{
     raster_format_to_write, sidecar_path,
 };
 
-/// Writes a field as a raster file; the extension sets the format: tif, asc, exr, npy, png (16 bit), pgm, r16. Formats that do
-/// not hold scale and position get a sidecar, with .landform.json after the file's name. It also says what classes mean.
+/// Writes a field as a raster file; the extension sets the format: tif, asc, exr, npy, png (16
+/// bit), pgm, r16. Formats that do not hold scale and position get a sidecar, with .landform.json
+/// after the file's name. It also says what classes mean.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteRaster {
@@ -23,8 +24,8 @@ pub struct WriteRaster {
     pub field: String,
     /// Path below the output folder.
     pub path: String,
-    /// GeoTIFF only: type of the samples. If not given, it is float32 for real numbers (float64 where that would blur them), uint32
-    /// for identifiers, uint8 for classes.
+    /// GeoTIFF only: type of the samples. If not given, it is float32 for real numbers (float64
+    /// where that would blur them), uint32 for identifiers, uint8 for classes.
     pub data_type: Option<DataType>,
     /// GeoTIFF only: how the samples are packed.
     pub compression: Compression,

@@ -9,15 +9,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::report::{Analysis, report};
 
-/// Writes a report: one HTML file with pictures, plots, a report card of how natural the numbers are, the history of the
-/// landscape and the papers behind it.
+/// Writes a report: one HTML file with pictures, plots, a report card of how natural the numbers
+/// are, the history of the landscape and the papers behind it.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteReport {
     /// Path below the output folder.
     pub path: String,
-    /// Sea level: ground at or under it is left out of all measures but the coast. If not given, it is the environment's; without
-    /// one, nothing is left out.
+    /// Sea level: ground at or under it is left out of all measures but the coast. If not given, it
+    /// is the environment's; without one, nothing is left out.
     pub sea_level: Option<Length>,
 }
 

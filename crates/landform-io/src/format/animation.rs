@@ -15,7 +15,8 @@ type Pixels = [[u8; 3]];
 /// An animation that plays for ever, as the extension of `path` says: gif, or png and apng.
 ///
 /// # Errors
-/// [`Error::Extension`] for another extension, [`Error::Format`] for frames that differ in size, or none.
+/// [`Error::Extension`] for another extension, [`Error::Format`] for frames that differ in size, or
+/// none.
 pub fn encode_animation(path: &str, shape: Shape, frames: &[&Pixels]) -> Result<Vec<u8>> {
     if frames.is_empty() {
         return Err(Error::format("animation", "it has no frames"));

@@ -1,4 +1,5 @@
-//! ESRI ASCII grids: a few header lines, then rows of numbers from the north. Cells that are not square are written as GDAL does.
+//! ESRI ASCII grids: a few header lines, then rows of numbers from the north. Cells that are not
+//! square are written as GDAL does.
 
 use std::borrow::Cow;
 use std::fmt::Write;

@@ -1,4 +1,5 @@
-//! What lies beside a raster file and speaks of it: sidecars, notes of GDAL and ArcGIS, world files, projections, masks.
+//! What lies beside a raster file and speaks of it: sidecars, notes of GDAL and ArcGIS, world
+//! files, projections, masks.
 
 use std::path::{Path, PathBuf};
 

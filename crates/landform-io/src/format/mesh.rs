@@ -14,7 +14,8 @@ pub struct MeshFile {
     pub points: Vec<[f64; 3]>,
     /// Triangles.
     pub triangles: Vec<[u32; 3]>,
-    /// Middle of the whole that this is a part of, m, so that parts stored about it fit together. If none, it is its own middle.
+    /// Middle of the whole that this is a part of, m, so that parts stored about it fit together.
+    /// If none, it is its own middle.
     pub middle: Option<[f64; 2]>,
 }
 
@@ -24,7 +25,8 @@ pub fn mesh_file_from_mesh(mesh: &Mesh) -> MeshFile {
     MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None }
 }
 
-/// The faces of voxels, two triangles each; `rounds` of smoothing, in which no point leaves the half of a voxel around it.
+/// The faces of voxels, two triangles each; `rounds` of smoothing, in which no point leaves the
+/// half of a voxel around it.
 pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
     let shape = ground.plan().shape;
     // Rows run from the north, the lattice from the south.
@@ -39,7 +41,8 @@ pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
     MeshFile { points, triangles: quads.triangles(), middle: None }
 }
 
-/// Vertices of voxels' faces, each moved towards the mean of its neighbours, but not out of the sides of the box.
+/// Vertices of voxels' faces, each moved towards the mean of its neighbours, but not out of the
+/// sides of the box.
 fn smooth(quads: &Quads, size: [usize; 3], rounds: u32) -> Vec<[f64; 3]> {
     let home: Vec<[f64; 3]> = quads.vertices.iter().map(|v| v.map(f64::from)).collect();
     let mut points = home.clone();
@@ -71,7 +74,8 @@ pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
     MeshFile { points, triangles, middle: Some(middle(field)) }
 }
 
-/// The surface of the water on a raster where it is at least `least` metres deep, by its field of depth.
+/// The surface of the water on a raster where it is at least `least` metres deep, by its field of
+/// depth.
 ///
 /// # Errors
 /// If the terrain lacks that field, or has no water.
@@ -95,8 +99,8 @@ fn middle(field: &HeightField) -> [f64; 2] {
 }
 
 impl MeshFile {
-    /// The ground as a watertight body: walls along every edge that has one triangle only, and a level floor `thickness` metres
-    /// under the lowest point.
+    /// The ground as a watertight body: walls along every edge that has one triangle only, and a
+    /// level floor `thickness` metres under the lowest point.
     pub fn solid(mut self, thickness: f64) -> Self {
         let floor = self.points.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min) - thickness;
         let n = self.points.len() as u32;
@@ -118,8 +122,8 @@ impl MeshFile {
         self
     }
 
-    /// Middle of the bounding box: what is subtracted where only 32-bit numbers are stored, so that large coordinates keep
-    /// their centimetres.
+    /// Middle of the bounding box: what is subtracted where only 32-bit numbers are stored, so that
+    /// large coordinates keep their centimetres.
     pub(super) fn centre(&self) -> [f64; 3] {
         let mut centre = [0.0; 3];
         if let Some([x, y]) = self.middle {

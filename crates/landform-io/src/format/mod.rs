@@ -1,5 +1,5 @@
-//! Files of rasters and meshes. Every reader accepts hostile bytes: it returns a terrain or an error, and allocates no more
-//! memory than a file of that length can fill.
+//! Files of rasters and meshes. Every reader accepts hostile bytes: it returns a terrain or an
+//! error, and allocates no more memory than a file of that length can fill.
 //!
 //! ```
 //! use std::path::Path;
@@ -65,7 +65,8 @@ use landform_core::{Error, Result};
 
 use crate::memory;
 
-/// The most bytes that a file of a given length may unpack to: deflate's best ratio is 1032, and small files may be all alike.
+/// The most bytes that a file of a given length may unpack to: deflate's best ratio is 1032, and
+/// small files may be all alike.
 fn most_unpacked(file_length: usize) -> u64 {
     (file_length as u64).saturating_mul(1100).saturating_add(1 << 22)
 }

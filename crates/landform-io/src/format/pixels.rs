@@ -31,7 +31,8 @@ impl Pixels {
         self.colours == 3 && self.pixels().any(|p| p[0] != p[1] || p[1] != p[2])
     }
 
-    /// Where the picture is not wholly transparent; none where it has no opacity, or says nothing by it.
+    /// Where the picture is not wholly transparent; none where it has no opacity, or says nothing
+    /// by it.
     pub(super) fn visible(&self) -> Option<Vec<bool>> {
         let visible: Vec<bool> = self.has_opacity.then(|| self.pixels().map(|p| p[self.colours] > 0).collect())?;
         visible.contains(&true).then_some(visible)

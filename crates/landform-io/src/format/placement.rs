@@ -18,7 +18,8 @@ pub(crate) struct Placement {
 }
 
 impl Placement {
-    /// By x = t0 + col t1 + row t2 and y = t3 + col t4 + row t5, which are those of a pixel's corner if samples are areas.
+    /// By x = t0 + col t1 + row t2 and y = t3 + col t4 + row t5, which are those of a pixel's
+    /// corner if samples are areas.
     ///
     /// # Errors
     /// [`Error::Format`] where it is rotated or flipped, or says nothing sound.

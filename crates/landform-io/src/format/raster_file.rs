@@ -77,7 +77,8 @@ impl RasterFile<'_> {
 /// Part of the range of heights by which a blur is seen.
 pub(crate) const SEEN: f64 = 1e-4;
 
-/// What a file of this name loses of a raster's values, if 32-bit floats are all that its format has and they blur them.
+/// What a file of this name loses of a raster's values, if 32-bit floats are all that its format
+/// has and they blur them.
 ///
 /// ```
 /// use landform_core::grid::{Grid, Shape};

@@ -1,4 +1,5 @@
-//! Headless 16-bit numbers, little-endian, row-major from the north. Size and range are in the sidecar alone.
+//! Headless 16-bit numbers, little-endian, row-major from the north. Size and range are in the
+//! sidecar alone.
 
 use landform_core::grid::Shape;
 use landform_core::{Error, Result};

@@ -1,9 +1,10 @@
-//! The one place that decides what the numbers of a raster mean: which unit, which mask, which nodata, which place.
+//! The one place that decides what the numbers of a raster mean: which unit, which mask, which
+//! nodata, which place.
 //!
 //! # Method
-//! What the file says comes first, then what lies beside it. Samples are struck out by the mask, by nodata and where no
-//! elevation can be so great; then scale, offset and unit make metres of them. What was supposed, and what was not used, is
-//! noted.
+//! What the file says comes first, then what lies beside it. Samples are struck out by the mask, by
+//! nodata and where no elevation can be so great; then scale, offset and unit make metres of them.
+//! What was supposed, and what was not used, is noted.
 
 use std::sync::Arc;
 

@@ -39,7 +39,8 @@ impl Said {
     }
 }
 
-/// A file as its reader found it: numbers as they are stored, and what it says of them. Nothing is applied.
+/// A file as its reader found it: numbers as they are stored, and what it says of them. Nothing is
+/// applied.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stored {
     /// Rows and columns.

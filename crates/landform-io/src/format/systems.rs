@@ -24,7 +24,8 @@ pub(super) fn is_in_grads(epsg: u16) -> bool {
     [4807, 4810, 4811, 4816, 4819, 4821, 4901, 4902].contains(&epsg)
 }
 
-/// Whether a system is the Mercator projection of web maps, whose metres are true at the equator only.
+/// Whether a system is the Mercator projection of web maps, whose metres are true at the equator
+/// only.
 pub(crate) fn is_web_mercator(epsg: u16) -> bool {
     WEB_MERCATOR.contains(&epsg)
 }

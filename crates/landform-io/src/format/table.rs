@@ -14,6 +14,9 @@ use super::{
 };
 use crate::files::read_whole;
 
+/// Finds what a file's bytes say, but for the numbers.
+type ReadHeader = fn(&[u8]) -> Result<Stored>;
+
 /// A format of rasters.
 #[derive(Debug)]
 pub struct RasterFormat {
@@ -24,7 +27,7 @@ pub struct RasterFormat {
     /// Finds what a file's bytes say; a sidecar tells the size of those that do not.
     stored: fn(&[u8], Option<&Sidecar>) -> Result<Stored>,
     /// Finds the same but the numbers, where that is faster.
-    header: Option<fn(&[u8]) -> Result<Stored>>,
+    header: Option<ReadHeader>,
     /// Writes a file's bytes.
     pub write: fn(&RasterFile) -> Result<Vec<u8>>,
     /// Whether the numbers need a sidecar to be understood.
@@ -187,8 +190,9 @@ pub fn mesh_format(path: &Path) -> Result<&'static MeshFormat> {
     })
 }
 
-/// Reads a raster from disk, with what lies beside it: its sidecar where the format needs one (`name.ext.landform.json`,
-/// `name.landform.json` or `name.json`), `.aux.xml`, world file, `.prj` and `.msk`.
+/// Reads a raster from disk, with what lies beside it: its sidecar where the format needs one
+/// (`name.ext.landform.json`, `name.landform.json` or `name.json`), `.aux.xml`, world file, `.prj`
+/// and `.msk`.
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::Format`] or [`Error::Empty`], naming the file.
@@ -204,7 +208,8 @@ pub fn read_raster(path: &Path) -> Result<Reading> {
     read().map_err(|e| e.in_file(path))
 }
 
-/// The grid that [`read_raster`] gives a file, without its samples; none where they must be read to find it.
+/// The grid that [`read_raster`] gives a file, without its samples; none where they must be read to
+/// find it.
 ///
 /// ```
 /// # let path = std::env::temp_dir().join(format!("landform-grid-{}.asc", std::process::id()));

@@ -4,7 +4,8 @@ use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{Error, Result, parallel};
 
-/// The grid of blocks of `side` by `side` samples, each a node at its middle. Samples that fill no block are left out.
+/// The grid of blocks of `side` by `side` samples, each a node at its middle. Samples that fill no
+/// block are left out.
 pub(super) fn grid_of_blocks(grid: &Grid, side: usize) -> Result<Grid> {
     let shape = Shape::new(grid.shape.rows / side, grid.shape.cols / side);
     if shape.rows == 0 || shape.cols == 0 {

@@ -1,9 +1,9 @@
 //! Rasters in longitude and latitude.
 //!
 //! # Method
-//! Distances east shrink with the cosine of the latitude. One scale for the whole raster, that of its middle, is wrong by half of
-//! the change between its middle and its southern or northern side. Rasters where this error exceeds 5 % are refused: they need a
-//! projection.
+//! Distances east shrink with the cosine of the latitude. One scale for the whole raster, that of
+//! its middle, is wrong by half of the change between its middle and its southern or northern side.
+//! Rasters where this error exceeds 5 % are refused: they need a projection.
 //!
 //! # Sources
 //! Metres per degree: series on the WGS 84 ellipsoid (American Practical Navigator, table 7).
@@ -23,8 +23,8 @@ pub fn in_degrees(grid: &Grid) -> bool {
     grid.georeference.geographic
 }
 
-/// How many of its units a metre is at the middle of a raster in the Mercator projection of web maps, whose units are metres at the
-/// equator only; none in other systems.
+/// How many of its units a metre is at the middle of a raster in the Mercator projection of web
+/// maps, whose units are metres at the equator only; none in other systems.
 pub fn mercator_stretch(grid: &Grid) -> Option<f64> {
     grid.georeference.epsg.filter(|e| is_web_mercator(*e))?;
     let [[_, south], [_, north]] = grid.bounds();
@@ -33,7 +33,8 @@ pub fn mercator_stretch(grid: &Grid) -> Option<f64> {
     Some(0.5 * (up + 1.0 / up))
 }
 
-/// Refuses a raster of a web map's projection where its units are further from metres than degrees may be.
+/// Refuses a raster of a web map's projection where its units are further from metres than degrees
+/// may be.
 ///
 /// # Errors
 /// [`Error::Parameter`].
@@ -66,8 +67,8 @@ fn metres_per_degree(latitude: f64) -> [f64; 2] {
     ]
 }
 
-/// Converts longitude and latitude to metres at the middle latitude. Returns the greatest relative error of distances that this
-/// causes.
+/// Converts longitude and latitude to metres at the middle latitude. Returns the greatest relative
+/// error of distances that this causes.
 ///
 /// # Errors
 /// [`Error::Parameter`] if the error is more than 5 %, or if latitudes are beyond 90 degrees.

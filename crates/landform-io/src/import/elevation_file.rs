@@ -14,7 +14,8 @@ use serde::{Deserialize, Serialize};
 use super::blocks::{blocks, grid_of_blocks};
 use super::degrees::{check_stretch, in_degrees, metres_from_degrees};
 
-/// Real ground, or any raster, from a GeoTIFF, ASCII grid, PNG, EXR, NPY or RAW16 file. Nodata remains outside the landscape.
+/// Real ground, or any raster, from a GeoTIFF, ASCII grid, PNG, EXR, NPY or RAW16 file. Nodata
+/// remains outside the landscape.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ElevationFile {
@@ -23,16 +24,20 @@ pub struct ElevationFile {
     /// Distance between nodes that the file is resampled to. If not given, it is the file's own.
     #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub cell_size: Option<Length>,
-    /// Size of the square blocks of samples whose mean becomes one node, in samples a side; without `cell_size`.
+    /// Size of the square blocks of samples whose mean becomes one node, in samples a side; without
+    /// `cell_size`.
     #[schemars(extend("x-min" = 1, "x-max" = 4_096, "x-role" = "coarsening"))]
     pub coarsen: u32,
-    /// How elevations between the file's samples are found, where `cell_size` is smaller than their spacing.
+    /// How elevations between the file's samples are found, where `cell_size` is smaller than their
+    /// spacing.
     pub interpolation: Interpolation,
-    /// Whether longitude and latitude are converted to metres at the middle latitude. A file for which that is more than 5 %
-    /// wrong is refused. Without it degrees are refused, since slope and drainage need metres.
+    /// Whether longitude and latitude are converted to metres at the middle latitude. A file for
+    /// which that is more than 5 % wrong is refused. Without it degrees are refused, since slope
+    /// and drainage need metres.
     pub degrees_to_metres: bool,
-    /// Where water leaves: "valleys" (the low points of the border, since a cut through a hillside is no river mouth),
-    /// "holes" (these, and the rims of nodata inside, such as lakes that were cut out), "border", or a list of sides.
+    /// Where water leaves: "valleys" (the low points of the border, since a cut through a hillside
+    /// is no river mouth), "holes" (these, and the rims of nodata inside, such as lakes that were
+    /// cut out), "border", or a list of sides.
     pub outlets: Outlets,
 }
 

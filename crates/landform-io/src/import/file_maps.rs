@@ -17,7 +17,8 @@ use crate::format::{Reading, read_grey, read_grid, read_raster};
 /// Greatest number of bytes of rasters that are kept.
 const MOST_BYTES: u64 = 1 << 30;
 
-/// Reads maps from disk, each once: a raster is kept until rasters that were read later need the memory.
+/// Reads maps from disk, each once: a raster is kept until rasters that were read later need the
+/// memory.
 #[derive(Debug)]
 pub struct FileMaps {
     folder: PathBuf,
@@ -35,7 +36,8 @@ impl FileMaps {
         Self { folder: folder.into(), rasters: Recent::of(MOST_BYTES), notes: Mutex::default() }
     }
 
-    /// Notes of the readers since the last call: what a file says that is not followed, and what was assumed.
+    /// Notes of the readers since the last call: what a file says that is not followed, and what
+    /// was assumed.
     pub fn take_notes(&self) -> Vec<String> {
         std::mem::take(&mut *self.notes())
     }
@@ -80,7 +82,8 @@ impl Maps for FileMaps {
     }
 
     fn grid(&self, path: &Path) -> Result<Grid> {
-        // What was read already need not be read again, and what its reader notes comes with the samples.
+        // What was read already need not be read again, and what its reader notes comes with the
+        // samples.
         let file = (self.folder.join(path), stamp(&self.folder.join(path)));
         match self.rasters.find(&file).filter(|_| file.1.is_some()) {
             Some(raster) => Ok(raster.grid().clone()),

@@ -16,7 +16,8 @@ pub struct Line {
     pub points: Vec<[f64; 2]>,
 }
 
-/// The lines and rings of a GeoJSON file. Degrees, of whichever datum, are projected, equal-area, about the middle of each feature.
+/// The lines and rings of a GeoJSON file. Degrees, of whichever datum, are projected, equal-area,
+/// about the middle of each feature.
 ///
 /// # Errors
 /// [`Error::Format`] if the bytes are not GeoJSON with at least one line of two points.

@@ -8,7 +8,8 @@ use landform_core::verb::{Landscape, Measure, Params, Source, check_path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Measures the coast at a level: its length, its islands, and its fractal dimension by divider and boxes.
+/// Measures the coast at a level: its length, its islands, and its fractal dimension by divider and
+/// boxes.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MeasureCoast {

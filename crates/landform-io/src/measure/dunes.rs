@@ -12,13 +12,15 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-/// Measures dunes: height, spacing, direction of crests, bare ground, share of sand near repose, and the type of the dunes.
+/// Measures dunes: height, spacing, direction of crests, bare ground, share of sand near repose,
+/// and the type of the dunes.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MeasureDunes {
     /// Path below the output folder.
     pub path: String,
-    /// Winds that made them. If none are given, they are those of the last `dunes`, or else the environment's, or a west wind.
+    /// Winds that made them. If none are given, they are those of the last `dunes`, or else the
+    /// environment's, or a west wind.
     pub wind: Vec<Wind>,
     /// Angle of repose of the sand.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
@@ -77,7 +79,8 @@ impl Measure<HeightField> for MeasureDunes {
 /// The stage whose winds are looked for.
 const DUNES: &str = "dunes";
 
-/// Winds of the last stage in which sand was blown; none if it took the environment's, or there is no such stage.
+/// Winds of the last stage in which sand was blown; none if it took the environment's, or there is
+/// no such stage.
 fn winds_of(history: &[Event]) -> Vec<Wind> {
     let last = history.iter().rev().map(dunes_in).find(|found| !found.is_empty()).unwrap_or_default();
     let winds =

@@ -9,14 +9,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::report::Analysis;
 
-/// Measures all that the report shows, and writes it as JSON: report card, elevations, surface, drainage, spectrum, coast.
+/// Measures all that the report shows, and writes it as JSON: report card, elevations, surface,
+/// drainage, spectrum, coast.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MeasureLandscape {
     /// Path below the output folder.
     pub path: String,
-    /// Sea level: ground at or under it is left out of all measures but the coast. If not given, it is the environment's; without
-    /// one, nothing is left out.
+    /// Sea level: ground at or under it is left out of all measures but the coast. If not given, it
+    /// is the environment's; without one, nothing is left out.
     pub sea_level: Option<Length>,
 }
 

@@ -1,4 +1,5 @@
-//! The stages that measure a terrain and write JSON. Meshes are measured on the raster made of them.
+//! The stages that measure a terrain and write JSON. Meshes are measured on the raster made of
+//! them.
 //!
 //! ```
 //! use landform_core::grid::{Grid, Shape};

@@ -93,8 +93,8 @@ macro_rules! measure {
 }
 
 measure!(
-    /// Measures hypsometry, the area of ground at each height: the hypsometric curve, its integral and skew, Strahler's model and
-    /// class.
+    /// Measures hypsometry, the area of ground at each height: the hypsometric curve, its integral
+    /// and skew, Strahler's model and class.
     MeasureHypsometry, "measure_hypsometry", "hypsometry.json", [STRAHLER], Hypsometry, |raster| hypsometry(raster.elevation())
 );
 
@@ -110,8 +110,8 @@ pub struct SpectrumMeasured {
 }
 
 measure!(
-    /// Measures the spectrum, the relief at every wavelength: spectral density, its exponents, the spacing that stands out, the
-    /// variogram.
+    /// Measures the spectrum, the relief at every wavelength: spectral density, its exponents, the
+    /// spacing that stands out, the variogram.
     MeasureSpectrum, "measure_spectrum", "spectrum.json", [SAUPE, PERRON], SpectrumMeasured, |raster| {
         let (grid, z) = (raster.grid(), raster.elevation());
         let spectrum = spectrum(grid, z);
@@ -127,15 +127,17 @@ measure!(
 pub type DrainageMeasured = Network;
 
 measure!(
-    /// Measures the drainage network: exponents of area and length, slope against area, chi, stream orders and ratios, density.
+    /// Measures the drainage network: exponents of area and length, slope against area, chi, stream
+    /// orders and ratios, density.
     MeasureDrainage, "measure_drainage", "drainage.json", [HORTON, CHI], DrainageMeasured, |raster| {
         network(&Drainage::with_open_holes(&*raster), raster.elevation())
     }
 );
 
 measure!(
-    /// Measures whether the ground shows the lattice that it was made on: directions of slopes and channels, facets, one slope
-    /// everywhere, sharp hollows. Each number comes with the range that it has on real ground.
+    /// Measures whether the ground shows the lattice that it was made on: directions of slopes and
+    /// channels, facets, one slope everywhere, sharp hollows. Each number comes with the range that
+    /// it has on real ground.
     MeasureDirections, "measure_directions", "directions.json", [HORN], Directions, |raster| directions_of(&raster)
 );
 
@@ -146,13 +148,14 @@ pub struct SurfaceMeasured {
     pub surface: Option<Surface>,
     /// Pits, peaks, sinks.
     pub form: Form,
-    /// Half the integral over the map of z_xx² + 2 z_xy² + z_yy²: the energy that a thin plate of this shape holds (without
-    /// unit); none where cells are not square.
+    /// Half the integral over the map of z_xx² + 2 z_xy² + z_yy²: the energy that a thin plate of
+    /// this shape holds (without unit); none where cells are not square.
     pub bending_energy: Option<f64>,
 }
 
 measure!(
-    /// Measures the surface: slopes, directions, curvature, relief, pits, peaks and sinks, bending energy.
+    /// Measures the surface: slopes, directions, curvature, relief, pits, peaks and sinks, bending
+    /// energy.
     MeasureSurface, "measure_surface", "surface.json", [HORN, EVANS], SurfaceMeasured, |raster| SurfaceMeasured {
         surface: surface(raster.grid(), raster.elevation()),
         form: form_of(raster.grid(), &raster.domain(), raster.elevation()),

@@ -1,7 +1,8 @@
 //! Colour: linear light, Oklab, ramps.
 //!
 //! # Sources
-//! Ottosson (2020), Oklab. The stops of the ramps are our own; each rises steadily in lightness where it shows a quantity.
+//! Ottosson (2020), Oklab. The stops of the ramps are our own; each rises steadily in lightness
+//! where it shows a quantity.
 
 use landform_core::math::{cbrt, lerp, pow};
 use schemars::JsonSchema;

@@ -53,8 +53,8 @@ fn colour_of(name: &str) -> u32 {
     KNOWN.iter().find(|known| known.0 == name).map_or_else(by_name, |known| known.1)
 }
 
-/// The colour of bedded ground on a cut, `t` of the way from one node to another, at an elevation (m); none where ground has no
-/// beds. Beds run straight from node to node.
+/// The colour of bedded ground on a cut, `t` of the way from one node to another, at an elevation
+/// (m); none where ground has no beds. Beds run straight from node to node.
 pub(super) fn cut(field: &HeightField, [from, to]: [usize; 2], t: f64, elevation: f64) -> Option<Rgb> {
     let layers = field.layers()?;
     let rise = t * (layers.datum(to)? - layers.datum(from)?);
@@ -102,7 +102,8 @@ impl Cover {
         math::smoothstep(0.02, 0.4, self.snow[i])
     }
 
-    /// The colour of a node under what lies on it. `strength` of the desert's colours against the ground's own.
+    /// The colour of a node under what lies on it. `strength` of the desert's colours against the
+    /// ground's own.
     pub(super) fn tint(&self, colour: Rgb, i: usize, strength: f64) -> Rgb {
         let mut colour = colour;
         if let Some(&(rock, bare)) = self.rock.get(i) {

@@ -21,8 +21,8 @@ const SHALLOWEST: f64 = 0.5;
 /// The shallowest water that is drawn where its depth is known, m.
 const SHALLOWEST_KNOWN: f64 = 0.1;
 
-/// Lakes and rivers of a raster: from its fields if it has them (depth of water before drainage), else by routing over it; none
-/// where there is loose sand, in which it would sink.
+/// Lakes and rivers of a raster: from its fields if it has them (depth of water before drainage),
+/// else by routing over it; none where there is loose sand, in which it would sink.
 pub fn waters(field: &HeightField) -> Waters {
     let n = field.grid().len();
     if Cover::of(field).is_desert() {
@@ -46,7 +46,8 @@ pub fn waters(field: &HeightField) -> Waters {
     };
     let finite = field.elevation().iter().filter(|z| z.is_finite());
     let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
-    // Depressions that are small against the relief are noise of the data or of a rough start, not lakes.
+    // Depressions that are small against the relief are noise of the data or of a rough start, not
+    // lakes.
     let shallowest = SHALLOWEST.max(2e-3 * (hi - lo));
     let least = (field.grid().cell_area() * 150.0).max(4e-4 * field.grid().cell_area() * n as f64);
     let most = area.iter().copied().filter(|a| a.is_finite()).fold(least * 2.0, f64::max);

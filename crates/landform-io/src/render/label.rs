@@ -8,8 +8,8 @@ use super::Picture;
 const LETTER: usize = 8;
 
 impl Picture {
-    /// Writes a line of plain text into the lower left corner, light on a dark band. Text that does not fit is cut off; letters
-    /// that the font lacks are left blank.
+    /// Writes a line of plain text into the lower left corner, light on a dark band. Text that does
+    /// not fit is cut off; letters that the font lacks are left blank.
     pub fn label(&mut self, text: &str) {
         let (rows, cols) = (self.shape.rows, self.shape.cols);
         let scale = (cols / 320).max(1);

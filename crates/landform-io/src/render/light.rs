@@ -64,7 +64,8 @@ fn looks(grid: &Grid, [east, north]: [f64; 2], growth: f64) -> Vec<Look> {
     looks
 }
 
-/// Tangent of the horizon's angle above level (at least 0) seen from each node of a row. A look is at the whole row at once.
+/// Tangent of the horizon's angle above level (at least 0) seen from each node of a row. A look is
+/// at the whole row at once.
 fn horizon(grid: &Grid, z: &[f64], row: usize, line: &[Look], highest: &mut [f64]) {
     let n = grid.shape.cols;
     let here = &z[row * n..(row + 1) * n];

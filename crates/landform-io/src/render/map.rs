@@ -81,8 +81,8 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     Ok(paint(grid.shape, &colours, style.size))
 }
 
-/// Any field in a colour ramp over faint relief. On a logarithmic ramp zeros have the lowest colour, and so has the lowest
-/// hundredth of what is above zero.
+/// Any field in a colour ramp over faint relief. On a logarithmic ramp zeros have the lowest
+/// colour, and so has the lowest hundredth of what is above zero.
 ///
 /// # Errors
 /// Where [`HeightField::new`] fails.
@@ -108,7 +108,8 @@ fn logarithms(values: &[f64]) -> Vec<f64> {
     values.iter().map(|&v| if v.is_nan() { v } else { math::log10(v.max(least)) }).collect()
 }
 
-/// Heights in m gained (red) and lost (blue) over grey relief; colours are as strong as the amount against its 99th percentile.
+/// Heights in m gained (red) and lost (blue) over grey relief; colours are as strong as the amount
+/// against its 99th percentile.
 ///
 /// # Errors
 /// Where [`HeightField::new`] fails.
@@ -147,8 +148,8 @@ fn range(values: &[f64]) -> (f64, f64) {
     values.iter().filter(|v| v.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), range)
 }
 
-/// Shading about 1: light from the north-west with a weaker one from the west and the north, dimmed in valleys. Gentle
-/// relief is exaggerated until it shows.
+/// Shading about 1: light from the north-west with a weaker one from the west and the north, dimmed
+/// in valleys. Gentle relief is exaggerated until it shows.
 fn relief(grid: &Grid, z: &[f64], height: f64) -> Vec<f64> {
     let extent = grid.extent()[0].max(grid.extent()[1]).max(grid.spacing[0]);
     let exaggeration = (0.12 * extent / height.max(1e-9)).clamp(1.0, 20.0);
@@ -163,7 +164,8 @@ fn relief(grid: &Grid, z: &[f64], height: f64) -> Vec<f64> {
     })
 }
 
-/// Node colours as a picture whose longer side has `size` pixels: bilinear when growing, mean when shrinking.
+/// Node colours as a picture whose longer side has `size` pixels: bilinear when growing, mean when
+/// shrinking.
 fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
     let longer = shape.rows.max(shape.cols) as f64;
     let zoom = size.max(1) as f64 / longer;

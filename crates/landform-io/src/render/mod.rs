@@ -1,4 +1,5 @@
-//! Pictures, on the CPU: a shaded map and a perspective view. Pixels come back as buffers; `format` makes files of them.
+//! Pictures, on the CPU: a shaded map and a perspective view. Pixels come back as buffers; `format`
+//! makes files of them.
 //!
 //! ```
 //! use landform_core::grid::{Grid, Shape};

@@ -1,11 +1,12 @@
 //! The perspective view: a block of land under a low sun, ray by ray.
 //!
 //! # Method
-//! Rays march through a pyramid of greatest elevations and are refined on the bilinear patch that they hit. Sun and sky
-//! visibility are computed once per node ([`light`](super::light)) and interpolated, as are normals and ground colours: grass on
-//! gentle low ground, bare soil and rock with slope and height, snow on gentle high ground. Water is a surface above the ground
-//! (flat on lakes, along the bed in rivers), tinted by its depth, and mirrors the sky by Schlick's law. Several rays a pixel,
-//! jittered by key.
+//! Rays march through a pyramid of greatest elevations and are refined on the bilinear patch that
+//! they hit. Sun and sky visibility are computed once per node ([`light`](super::light)) and
+//! interpolated, as are normals and ground colours: grass on gentle low ground, bare soil and rock
+//! with slope and height, snow on gentle high ground. Water is a surface above the ground (flat on
+//! lakes, along the bed in rivers), tinted by its depth, and mirrors the sky by Schlick's law.
+//! Several rays a pixel, jittered by key.
 
 use landform_core::algo::derivative::gradient;
 use landform_core::grid::Grid;
@@ -125,7 +126,8 @@ impl Camera {
         let right = normalize(cross(forward, [0.0, 0.0, 1.0]));
         let up = cross(right, forward);
         let outline = scene.outline();
-        // Step by step: put the middle of what is seen in the middle of the frame, then stand as near as it fits.
+        // Step by step: put the middle of what is seen in the middle of the frame, then stand as
+        // near as it fits.
         let (mut aim, mut distance) = (centre, 3.0 * (w + h));
         for _ in 0..12 {
             let seen = |axis: Vector| {
@@ -181,7 +183,8 @@ struct Scene<'a> {
 const FRAMED: usize = 96;
 
 impl<'a> Scene<'a> {
-    /// Points that the frame must hold: the corners of the foot, and the highest point of every part of the surface.
+    /// Points that the frame must hold: the corners of the foot, and the highest point of every
+    /// part of the surface.
     fn outline(&self) -> Vec<Vector> {
         let Shape { rows, cols } = self.shape;
         let [w, h] = self.extent;
@@ -426,7 +429,8 @@ fn water_normal(grid: &Grid, surface: &[f64], i: usize) -> Vector {
     normalize([-g.x * most, -g.y * most, 1.0])
 }
 
-/// Depth of lakes (if `inland`) and of the sea over each node, m. Sea is what lies below 0 in a land that also rises above it.
+/// Depth of lakes (if `inland`) and of the sea over each node, m. Sea is what lies below 0 in a
+/// land that also rises above it.
 fn water_depth(field: &HeightField, lo: f64, hi: f64, inland: bool) -> Vec<f64> {
     let water = waters(field);
     let has_sea = lo < 0.0 && hi > 0.0;
@@ -444,7 +448,8 @@ fn water_depth(field: &HeightField, lo: f64, hi: f64, inland: bool) -> Vec<f64> 
         .collect()
 }
 
-/// Colours of the ground: each a pair between which patches vary, in Oklab, so that a node's colour is a few plain means.
+/// Colours of the ground: each a pair between which patches vary, in Oklab, so that a node's colour
+/// is a few plain means.
 struct Inks {
     meadow: [Rgb; 2],
     heath: [Rgb; 2],

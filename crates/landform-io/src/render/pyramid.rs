@@ -3,7 +3,8 @@
 use landform_core::grid::Shape;
 use landform_core::parallel;
 
-/// Level 0 holds the greatest corner of each cell (a square of four nodes); each further level halves rows and columns.
+/// Level 0 holds the greatest corner of each cell (a square of four nodes); each further level
+/// halves rows and columns.
 pub(super) struct Pyramid {
     pub(super) levels: Vec<(Shape, Vec<f32>)>,
 }

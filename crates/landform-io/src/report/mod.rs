@@ -63,7 +63,8 @@ impl Analysis {
     }
 }
 
-/// The report of a landscape. `raster` is the terrain itself, or the raster made of it; `analysis` was measured on it.
+/// The report of a landscape. `raster` is the terrain itself, or the raster made of it; `analysis`
+/// was measured on it.
 ///
 /// # Errors
 /// If a picture cannot be drawn.

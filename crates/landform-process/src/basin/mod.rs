@@ -1,7 +1,9 @@
-//! Basins that organise themselves: networks at the threshold of erosion, and networks of least energy.
+//! Basins that organise themselves: networks at the threshold of erosion, and networks of least
+//! energy.
 //!
 //! # Sources
-//! Rinaldo et al. (1993) and Rodríguez-Iturbe & Rinaldo (1997), Fractal River Basins; each module names its own.
+//! Rinaldo et al. (1993) and Rodríguez-Iturbe & Rinaldo (1997), Fractal River Basins; each module
+//! names its own.
 
 mod optimal;
 #[cfg(test)]

@@ -1,17 +1,19 @@
 //! Optimal channel networks: drainage trees of least energy.
 //!
 //! # Model
-//! Energy E = Σ A^γ d over all nodes, A drainage area (in cells), d length of the way to the receiver (in cells), γ = 1/2.
-//! Landscapes at a steady state of stream power with m/n = 1 − γ are local minima of it.
+//! Energy E = Σ A^γ d over all nodes, A drainage area (in cells), d length of the way to the
+//! receiver (in cells), γ = 1/2. Landscapes at a steady state of stream power with m/n = 1 − γ are
+//! local minima of it.
 //!
 //! # Method
-//! A random node gets another of its neighbours as receiver, unless that would close a circle. Areas change only along those
-//! parts of the old and the new path that the two do not share. The change is kept if E falls, or with probability exp(−ΔE/T). T
-//! falls to 0 over the sweeps. Heights follow from S ∝ A^(γ − 1), from the outlets upwards.
+//! A random node gets another of its neighbours as receiver, unless that would close a circle.
+//! Areas change only along those parts of the old and the new path that the two do not share. The
+//! change is kept if E falls, or with probability exp(−ΔE/T). T falls to 0 over the sweeps. Heights
+//! follow from S ∝ A^(γ − 1), from the outlets upwards.
 //!
 //! # Sources
-//! Rodríguez-Iturbe, Rinaldo, Rigon, Bras, Marani & Ijjász-Vásquez (1992); Rinaldo, Rigon, Banavar, Maritan & Rodríguez-Iturbe
-//! (2014).
+//! Rodríguez-Iturbe, Rinaldo, Rigon, Bras, Marani & Ijjász-Vásquez (1992); Rinaldo, Rigon, Banavar,
+//! Maritan & Rodríguez-Iturbe (2014).
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
@@ -24,8 +26,8 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Optimal channel network: rearranges drainage until its energy is least, and gives the ground the heights of such rivers. The
-/// elevation before only sets where the search begins.
+/// Optimal channel network: rearranges drainage until its energy is least, and gives the ground the
+/// heights of such rivers. The elevation before only sets where the search begins.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct OptimalNetwork {
@@ -35,13 +37,15 @@ pub struct OptimalNetwork {
     /// Number of trial changes for each node.
     #[schemars(extend("x-min" = 0, "x-max" = 10_000))]
     pub iterations: u64,
-    /// Temperature at the start, in mean energies of a node. With 0 no change that raises the energy is accepted.
+    /// Temperature at the start, in mean energies of a node. With 0 no change that raises the
+    /// energy is accepted.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e6))]
     pub temperature: f64,
     /// Greatest height above the outlets.
     #[schemars(extend("x-above" = 0.0))]
     pub relief: Length,
-    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are used.
+    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are
+    /// used.
     pub outlets: Option<Outlets>,
 }
 
@@ -153,7 +157,8 @@ impl Tree {
             .sum()
     }
 
-    /// The change of energy if `node` drained over a link, and where its two ways down meet; none if that closes a circle.
+    /// The change of energy if `node` drained over a link, and where its two ways down meet; none
+    /// if that closes a circle.
     pub(super) fn change(&mut self, node: usize, link: Link, unit: f64) -> Option<(f64, usize)> {
         self.tries += 1;
         let mut at = link.to;
@@ -254,7 +259,8 @@ impl Tree {
         longest
     }
 
-    /// Part of all single changes that would lower the energy; `among` says which changes count: (length now, length then).
+    /// Part of all single changes that would lower the energy; `among` says which changes count:
+    /// (length now, length then).
     #[cfg(test)]
     pub(super) fn gains(&mut self, domain: &RasterDomain, among: impl Fn(f64, f64) -> bool) -> f64 {
         let unit = domain.area(0).sqrt();

@@ -123,8 +123,9 @@ fn areas_stay_those_of_the_tree() {
 
 #[test]
 fn optimal_networks_scale_as_rivers_do() {
-    // OCN2, of the tree itself, with one outlet in a corner; cooled quickly. Cooled for long, networks near the global minimum of
-    // energy have 1/2 and 1/2, as theory says (here 0.49 and 0.535 from temperature 5).
+    // OCN2, of the tree itself, with one outlet in a corner; cooled quickly. Cooled for long,
+    // networks near the global minimum of energy have 1/2 and 1/2, as theory says (here 0.49 and
+    // 0.535 from temperature 5).
     let mut mean = [0.0; 3];
     for seed in 1..=3 {
         let mut t = noise(128, seed);
@@ -161,9 +162,10 @@ fn heights_drain_as_the_network_does() {
 
 #[test]
 fn rivers_at_a_steady_state_of_stream_power_are_nearly_optimal() {
-    // OCN3 with m/n = 0.5, where the steady landscape is a minimum of energy for changes between links of one length. (Steepest
-    // descent weighs a diagonal by its slope, the energy by its length, so that many a change from a diagonal to an axis gains.)
-    // Links carry finite areas, and cost is concave in them: a few changes gain; of a network of chance many more do.
+    // OCN3 with m/n = 0.5, where the steady landscape is a minimum of energy for changes between
+    // links of one length. (Steepest descent weighs a diagonal by its slope, the energy by its
+    // length, so that many a change from a diagonal to an axis gains.) Links carry finite areas,
+    // and cost is concave in them: a few changes gain; of a network of chance many more do.
     let alike = |now: f64, then: f64| (now - then).abs() < 1e-9;
     let mut t = noise(64, 4);
     let chance = Tree::of(&t.domain(), t.elevation(), 0.5).gains(&t.domain(), alike);

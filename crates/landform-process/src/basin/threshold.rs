@@ -1,20 +1,22 @@
 //! Erosion at a threshold of shear stress (Rodríguez-Iturbe & Rinaldo).
 //!
 //! # Model
-//! τ = √A S at every node, A drainage area, S slope to the node that receives its water. Where τ exceeds τ_c, the ground is
-//! eroded until τ no longer does. Then some nodes are raised a little, and the ground is eroded again, in small and large
-//! avalanches.
+//! τ = √A S at every node, A drainage area, S slope to the node that receives its water. Where τ
+//! exceeds τ_c, the ground is eroded until τ no longer does. Then some nodes are raised a little,
+//! and the ground is eroded again, in small and large avalanches.
 //!
 //! # Method
-//! A sweep routes the flow (D8) and lowers all nodes at once to z_r + τ_c d / √A, with z_r of before the sweep. Sweeps go on
-//! until none changes anything. Erosion then moves upstream as a scarp, which decides what drains over it. Lowering all nodes
-//! from the outlets upwards in one pass becomes stable as well, but leaves parallel channels (β 0.26 on a slope).
+//! A sweep routes the flow (D8) and lowers all nodes at once to z_r + τ_c d / √A, with z_r of
+//! before the sweep. Sweeps go on until none changes anything. Erosion then moves upstream as a
+//! scarp, which decides what drains over it. Lowering all nodes from the outlets upwards in one
+//! pass becomes stable as well, but leaves parallel channels (β 0.26 on a slope).
 //!
 //! # Limits
 //! On rasters. With `depressions = "end"` rivers end in depressions, as in the thesis.
 //!
 //! # Sources
-//! Rinaldo, Rodríguez-Iturbe, Rigon, Bras, Ijjász-Vásquez & Marani (1993); Pytel (2015), 2.3.2 and figure 4.25.
+//! Rinaldo, Rodríguez-Iturbe, Rigon, Bras, Ijjász-Vásquez & Marani (1993); Pytel (2015), 2.3.2 and
+//! figure 4.25.
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;
@@ -44,12 +46,14 @@ const MOST_SWEEPS: usize = 20_000;
 /// Ground within this part above the threshold is stable.
 const STABLE: f64 = 1e-10;
 
-/// Threshold erosion: ground is eroded wherever the shear stress of its water, the root of the drainage area times slope, exceeds
-/// a threshold. Then it is perturbed and eroded again. Runs without a clock; one round is a perturbation.
+/// Threshold erosion: ground is eroded wherever the shear stress of its water, the root of the
+/// drainage area times slope, exceeds a threshold. Then it is perturbed and eroded again. Runs
+/// without a clock; one round is a perturbation.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ThresholdErosion {
-    /// The threshold: root of drainage area times slope. 10 m is a slope of 0.01 where 1 km2 drains.
+    /// The threshold: root of drainage area times slope. 10 m is a slope of 0.01 where 1 km2
+    /// drains.
     #[schemars(extend("x-above" = 0.0))]
     pub threshold: Length,
     /// Number of perturbations after the first erosion.
@@ -58,12 +62,14 @@ pub struct ThresholdErosion {
     /// Fraction of the nodes that a perturbation raises.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub perturbed: Ratio,
-    /// Greatest height by which it raises them. Choose about the threshold, which is the drop of a node that drains only itself.
+    /// Greatest height by which it raises them. Choose about the threshold, which is the drop of a
+    /// node that drains only itself.
     #[schemars(extend("x-min" = 0.0))]
     pub perturbation: Length,
     /// What water does in depressions: "overflow" or "end".
     pub depressions: Depressions,
-    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are used.
+    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are
+    /// used.
     pub outlets: Option<Outlets>,
 }
 
@@ -164,7 +170,8 @@ impl ThresholdErosion {
         let mut amount = node_areas(domain);
         flow.route(domain, z, &mut amount);
         if self.depressions == Depressions::End {
-            // Water stays in depressions: receivers as they are before flow is routed through lakes.
+            // Water stays in depressions: receivers as they are before flow is routed through
+            // lakes.
             amount = node_areas(domain);
             let (mut receiver, mut slot) = (vec![0; z.len()], vec![NO_SLOT; z.len()]);
             domain.steepest_descent(z, &mut receiver, &mut slot);

@@ -1,12 +1,14 @@
 //! The banks of rivers: a river erodes them, and its water stands over them.
 //!
 //! # Model
-//! A node with flow f gives part of it to nodes uphill of it within R = R_max f^b, less with distance (f_a of Eq. 4.5). The part
-//! is chosen so that a straight river adds f to its own line for any size of cells. Nodes beside a river whose ground lies under
-//! the river's surface are under water.
+//! A node with flow f gives part of it to nodes uphill of it within R = R_max f^b, less with
+//! distance (f_a of Eq. 4.5). The part is chosen so that a straight river adds f to its own line
+//! for any size of cells. Nodes beside a river whose ground lies under the river's surface are
+//! under water.
 //!
 //! # Sources
-//! Pytel (2015), 4.3.1: R = f_c R_max there; with the exponent b of 0.4 to 0.5 widths grow as those of rivers do.
+//! Pytel (2015), 4.3.1: R = f_c R_max there; with the exponent b of 0.4 to 0.5 widths grow as those
+//! of rivers do.
 
 use landform_core::grid::Grid;
 use landform_core::{math, parallel};

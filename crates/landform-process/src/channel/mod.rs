@@ -1,21 +1,23 @@
 //! Channels that running water cuts, with their width, and lakes that break through.
 //!
 //! # Model
-//! In each round a year of rain runs off ([`crate::mechanism::water`]). The water that passes a node erodes it ([`wear`]). A
-//! river also erodes the ground uphill beside it ([`mod@banks`]), so that large rivers widen and capture streams near them.
-//! Depressions fill, spill, and drain as their outlets are cut; this needs no rule of its own.
+//! In each round a year of rain runs off ([`crate::mechanism::water`]). The water that passes a
+//! node erodes it ([`wear`]). A river also erodes the ground uphill beside it ([`mod@banks`]), so
+//! that large rivers widen and capture streams near them. Depressions fill, spill, and drain as
+//! their outlets are cut; this needs no rule of its own.
 //!
 //! # Method
-//! First water, then erosion, both on the ground at the start of the round. With a graded slope the water carries the sediment
-//! on, and it settles ([`sediment`]). Rounds are not years of erosion: the weights say how much a round erodes. Flow is a mean
-//! over the last rounds, in which each round counts half as much as the next, so that threads which shift in a wide bed erode all
-//! of it.
+//! First water, then erosion, both on the ground at the start of the round. With a graded slope the
+//! water carries the sediment on, and it settles ([`sediment`]). Rounds are not years of erosion:
+//! the weights say how much a round erodes. Flow is a mean over the last rounds, in which each
+//! round counts half as much as the next, so that threads which shift in a wide bed erode all of
+//! it.
 //!
-//! **Cost** the water of a round on a million nodes takes some 0.07 s without lakes, and 0.3 s if a quarter of them is under
-//! lakes; wear is a fixed number of passes.
+//! **Cost** the water of a round on a million nodes takes some 0.07 s without lakes, and 0.3 s if a
+//! quarter of them is under lakes; wear is a fixed number of passes.
 //!
-//! Open borders are eroded like any node: the ground beyond is taken to fall as steeply as the map does on the whole, down to its
-//! lowest elevation at the start. Outlets that are chosen are held.
+//! Open borders are eroded like any node: the ground beyond is taken to fall as steeply as the map
+//! does on the whole, down to its lowest elevation at the start. Outlets that are chosen are held.
 //!
 //! # Limits
 //! Water does not seep, and lakes do not freeze.
@@ -24,8 +26,8 @@
 //! Pytel (2015), 4.3; each module names its own.
 //!
 //! # Checked by
-//! `tests`: never up (without sediment, with smoothing in channels only), fans and filled depressions, lakes that break through,
-//! capture, width against flow, threads.
+//! `tests`: never up (without sediment, with smoothing in channels only), fans and filled
+//! depressions, lakes that break through, capture, width against flow, threads.
 
 mod banks;
 mod engine;

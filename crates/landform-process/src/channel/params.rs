@@ -11,7 +11,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Transport {
-    /// To the lowest neighbour first, until it is level with the next: concentrates water in channels.
+    /// To the lowest neighbour first, until it is level with the next: concentrates water in
+    /// channels.
     #[default]
     Columns,
     /// To all lower neighbours in equal shares: spreads water.
@@ -49,18 +50,21 @@ pub struct Spring {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Inflow {
-    /// The side. The water enters one node inside. The side must be closed, or the water leaves again where it entered.
+    /// The side. The water enters one node inside. The side must be closed, or the water leaves
+    /// again where it entered.
     pub side: Side,
     /// Discharge, spread evenly along the side.
     pub discharge: Discharge,
 }
 
-/// Channel erosion by running water: rivers cut channels and widen with their discharge; lakes fill, spill and drain as their
-/// outlets are cut. Water stays on the ground as a field. Runs without a clock; one round is a year of rain.
+/// Channel erosion by running water: rivers cut channels and widen with their discharge; lakes
+/// fill, spill and drain as their outlets are cut. Water stays on the ground as a field. Runs
+/// without a clock; one round is a year of rain.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ChannelErosion {
-    /// How water is routed: "columns", "average", "weighted_average", "pipes", or "area_map" (no water, depressions full).
+    /// How water is routed: "columns", "average", "weighted_average", "pipes", or "area_map" (no
+    /// water, depressions full).
     pub transport: Transport,
     /// Rain that runs off; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
@@ -74,7 +78,8 @@ pub struct ChannelErosion {
     pub evaporation: Rate,
     /// Sinkholes, where a map is at least one half: they take all water that reaches them.
     pub sinks: Option<Varying<RatioDimension>>,
-    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are used.
+    /// Where water leaves, as in `stream_power`. If not given, the outlets of the landscape are
+    /// used.
     pub outlets: Option<Outlets>,
     /// Number of rounds of water and erosion.
     #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
@@ -100,31 +105,33 @@ pub struct ChannelErosion {
     /// Weight of a uniform uplift.
     #[schemars(extend("x-min" = 0.0))]
     pub uplift_weight: f64,
-    /// Where the ground is smoothed: "channels" (with the flow, Eq. 4.4), or "everywhere" (Eq. 4.6).
+    /// Where the ground is smoothed: "channels" (with the flow, Eq. 4.4), or "everywhere" (Eq.
+    /// 4.6).
     pub smoothing: Smoothing,
     /// Factor on how easily the ground erodes; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub softness: Varying<RatioDimension>,
-    /// Half the width of a river with all the water of the map. If not given, it is a 40th of the longer side.
+    /// Half the width of a river with all the water of the map. If not given, it is a 40th of the
+    /// longer side.
     #[schemars(extend("x-min" = 0.0))]
     pub channel_radius: Option<Length>,
     /// Power of the flow with which width grows. The thesis has 1, rivers have 0.4 to 0.5.
     #[schemars(extend("x-above" = 0.0, "x-max" = 2.0))]
     pub width_exponent: f64,
-    /// Depth of a river with all the water of the map. Depth grows with the square root of the flow. With "columns" a deeper
-    /// river spreads more over its bed.
+    /// Depth of a river with all the water of the map. Depth grows with the square root of the
+    /// flow. With "columns" a deeper river spreads more over its bed.
     #[schemars(extend("x-above" = 0.0))]
     pub river_depth: Length,
-    /// Slope at which rivers carry all the sediment that the land above them sheds. Where rivers are less steep they deposit it
-    /// as fans, deltas and floodplains. If not given, all sediment leaves the map. No field holds the sediment that full lakes
-    /// keep at the end.
+    /// Slope at which rivers carry all the sediment that the land above them sheds. Where rivers
+    /// are less steep they deposit it as fans, deltas and floodplains. If not given, all sediment
+    /// leaves the map. No field holds the sediment that full lakes keep at the end.
     #[schemars(extend("x-above" = 0.0, "x-max" = 10.0))]
     pub graded_slope: Option<Ratio>,
     /// Distance over which excess sediment settles. If not given, it is a 50th of the longer side.
     #[schemars(extend("x-above" = 0.0))]
     pub settling_length: Option<Length>,
-    /// Pipes only: rain of the flood that erodes, as if it fell everywhere. `rainfall`, springs and inflow then give only the
-    /// share of each place. If not given, it is 30 mm/h.
+    /// Pipes only: rain of the flood that erodes, as if it fell everywhere. `rainfall`, springs and
+    /// inflow then give only the share of each place. If not given, it is 30 mm/h.
     #[schemars(extend("x-above" = 0.0))]
     pub storm: Option<Rate>,
     /// Pipes only: steps of water between rounds of erosion. If not given, they are 20.

@@ -1,26 +1,29 @@
 //! Sediment that rivers carry and deposit: fans, deltas, floodplains.
 //!
 //! # Model
-//! Let E be the volume that a round would erode if all of it could be carried. A river with the part f of the map's water can
-//! carry
+//! Let E be the volume that a round would erode if all of it could be carried. A river with the
+//! part f of the map's water can carry
 //!
 //! C = E f S / S_g
 //!
-//! at the slope S: at the graded slope S_g a river carries what the land above it sheds, for any rate of erosion. Where less
-//! sediment arrives, the river erodes; where more arrives, the excess settles over the length ℓ: 1 − exp(−dx/ℓ) of it at every
-//! node, never so much that the path uphill is blocked. Standing water carries nothing: coarse sediment settles at the mouth, up
-//! to the surface; sediment that reaches the deepest node is spread over the lake by its depth. A full lake keeps the rest and
-//! releases it with the next round's water.
+//! at the slope S: at the graded slope S_g a river carries what the land above it sheds, for any
+//! rate of erosion. Where less sediment arrives, the river erodes; where more arrives, the excess
+//! settles over the length ℓ: 1 − exp(−dx/ℓ) of it at every node, never so much that the path
+//! uphill is blocked. Standing water carries nothing: coarse sediment settles at the mouth, up to
+//! the surface; sediment that reaches the deepest node is spread over the lake by its depth. A full
+//! lake keeps the rest and releases it with the next round's water.
 //!
-//! Water in pipes is under way during the whole round; sediment goes where most of it went, and every depression counts as full.
+//! Water in pipes is under way during the whole round; sediment goes where most of it went, and
+//! every depression counts as full.
 //!
 //! # Limits
 //! One grain size. Fine sediment does not leave lakes over their outlets.
 //!
 //! # Sources
-//! Mei, Decaudin & Hu (2007), Eqs. 9 to 12: capacity in proportion to slope and flow, pick-up and settling. That a graded river
-//! has just the slope that its load needs: Mackin (1948), Bull. Geol. Soc. America 59. Here that slope is the parameter, so that
-//! a weight of erosion changes how fast, not what, forms.
+//! Mei, Decaudin & Hu (2007), Eqs. 9 to 12: capacity in proportion to slope and flow, pick-up and
+//! settling. That a graded river has just the slope that its load needs: Mackin (1948), Bull. Geol.
+//! Soc. America 59. Here that slope is the parameter, so that a weight of erosion changes how fast,
+//! not what, forms.
 
 use landform_core::grid::{Domain, Grid, Status};
 use landform_core::units::Length;
@@ -37,8 +40,8 @@ const LENGTHS_ACROSS: f64 = 50.0;
 
 /// Rivers steeper than this raise their beds by no more in a round.
 const STEEP: f64 = 0.1;
-/// Height, as cells at the graded slope, by which a river may raise its bed over the ground uphill of it in a round; then it
-/// leaves the bed.
+/// Height, as cells at the graded slope, by which a river may raise its bed over the ground uphill
+/// of it in a round; then it leaves the bed.
 const RISE: f64 = 0.5;
 
 /// Capacity of rivers, and the sediment under way in full lakes.
@@ -69,8 +72,8 @@ impl Sediment {
         parallel::sum(self.under_way.len(), |i| self.under_way[i])
     }
 
-    /// Carries and deposits the sediment that a round erodes: `new` becomes the ground after the round. Returns the sediment that
-    /// leaves the map, as depths summed over nodes, m.
+    /// Carries and deposits the sediment that a round erodes: `new` becomes the ground after the
+    /// round. Returns the sediment that leaves the map, as depths summed over nodes, m.
     pub(super) fn carry(&mut self, g: &Ground, ways: &dyn SedimentRouting, sinks: &[bool], new: &mut [f64]) -> f64 {
         let whole = shed(g, new);
         let (status, cell) = (g.domain.status(), g.grid.spacing[0].min(g.grid.spacing[1]));
@@ -145,7 +148,8 @@ fn slope_downstream(g: &Ground, ways: &dyn SedimentRouting, downstream: &FlowPar
     downstream.weights().map(fall).sum()
 }
 
-/// Spreads the sediment that has reached the deepest nodes of lakes, by the depth that is left; the rest stays there.
+/// Spreads the sediment that has reached the deepest nodes of lakes, by the depth that is left; the
+/// rest stays there.
 fn spread_in_lakes(ways: &dyn SedimentRouting, rests: Vec<(usize, usize, f64)>, new: &mut [f64], load: &mut [f64]) {
     let Some(last) = rests.iter().map(|r| r.0).max() else { return };
     let mut amount = vec![0.0; last + 1];

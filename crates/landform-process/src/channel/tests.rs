@@ -94,7 +94,8 @@ fn river_objects_carry_what_their_basins_supply() {
             |r: &&landform_core::analysis::RiverReach| (0.8..1.25).contains(&(r.discharge / (r.area * per_year)));
         let share = reaches.iter().filter(fair).count() as f64 / reaches.len() as f64;
         assert!(share >= 0.95, "{transport:?}: {share}");
-        // A line stays in the thread of the water; pipes and averages spread it over the width of the channel.
+        // A line stays in the thread of the water; pipes and averages spread it over the width of
+        // the channel.
         let q = t.fields().get(&names::DISCHARGE, "").unwrap();
         let main = reaches.iter().max_by(|a, b| a.area.total_cmp(&b.area)).unwrap();
         let greatest = |&i: &u32| q[i as usize];
@@ -113,7 +114,8 @@ fn rivers_widen_with_the_root_of_their_water() {
     });
     let t = run(start, ChannelErosion { channel_radius: Some(Length::of(80.0)), ..ChannelErosion::default() }, 150);
     let (q, depth) = (t.fields().get(&names::DISCHARGE, "").unwrap(), t.fields().get(&names::WATER_DEPTH, "").unwrap());
-    // Across the main river, row by row: what is wet beside its deepest place, at least a third as deep.
+    // Across the main river, row by row: what is wet beside its deepest place, at least a third as
+    // deep.
     let points: Vec<(f64, f64)> = (30..n - 10)
         .map(|row| {
             let of = |c: usize| depth[row * n + c];
@@ -182,8 +184,8 @@ fn a_fan_falls_gently_away_from_its_mouth() {
         ChannelErosion { graded_slope: Some(landform_core::units::Ratio::of(0.08)), ..ChannelErosion::default() };
     let after = run(front(96), params, 80);
     let row = |r: usize| after.elevation()[r * 48..(r + 1) * 48].iter().sum::<f64>() / 48.0;
-    // Slopes of the plain between the foot and the hollow's end: steep under the mountains, less with distance, near the graded
-    // slope.
+    // Slopes of the plain between the foot and the hollow's end: steep under the mountains, less
+    // with distance, near the graded slope.
     let slope = |a: usize, b: usize| (row(a) - row(b)) / ((b - a) as f64 * 10.0);
     let (near, far) = (slope(42, 52), slope(70, 90));
     assert!(near > 1.5 * far && (0.02..0.3).contains(&near), "{near} {far}");
@@ -191,7 +193,8 @@ fn a_fan_falls_gently_away_from_its_mouth() {
 
 #[test]
 fn the_deeper_of_two_channels_takes_the_others_water() {
-    // WC7: two grooves side by side on a slope, one deeper; the other keeps less than a tenth of its flow.
+    // WC7: two grooves side by side on a slope, one deeper; the other keeps less than a tenth of
+    // its flow.
     let (rows, cols) = (96, 40);
     let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
     let grooves = |x: f64, y: f64| {

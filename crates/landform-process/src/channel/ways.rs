@@ -13,8 +13,8 @@ use crate::mechanism::water::{FlowPartition, Pipes, Rule, Sweep, highest_first};
 pub(super) trait SedimentRouting {
     /// Nodes, higher ones before their lower neighbours.
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_>;
-    /// The nodes to which a node passes water and sediment on, with shares; always lower ground. `part` is the flow as a part of
-    /// all water.
+    /// The nodes to which a node passes water and sediment on, with shares; always lower ground.
+    /// `part` is the flow as a part of all water.
     fn downstream(&self, node: usize, part: f64) -> FlowPartition;
     /// Elevation of a node's ground by which its paths are routed.
     fn height(&self, node: usize) -> f64;
@@ -52,8 +52,8 @@ impl SedimentRouting for SweepPaths<'_> {
     }
 }
 
-/// The paths of water in pipes, with the volumes that crossed in the round. Every depression is a full lake: many floods would
-/// have filled it.
+/// The paths of water in pipes, with the volumes that crossed in the round. Every depression is a
+/// full lake: many floods would have filled it.
 pub(super) struct PipePaths<'a> {
     pipes: &'a Pipes,
     domain: &'a RasterDomain,

@@ -1,23 +1,26 @@
 //! Erosion by channels in a round (Eqs. 4.4 and 4.6 of Pytel 2015).
 //!
 //! # Model
-//! In units of length u = extent / 256 (the thesis' grids have about as many cells), with f = (w_a f_a + w_c f_c)^m:
+//! In units of length u = extent / 256 (the thesis' grids have about as many cells), with f = (w_a
+//! f_a + w_c f_c)^m:
 //!
-//! ∂z/∂t = f w_Δ Δz − f (w_d |∇h| + w_0), never lower than the lowest neighbour; pits have only f w_Δ Δz − f w_0, down to the
-//! lowest elevation at the start.
+//! ∂z/∂t = f w_Δ Δz − f (w_d |∇h| + w_0), never lower than the lowest neighbour; pits have only f
+//! w_Δ Δz − f w_0, down to the lowest elevation at the start.
 //!
 //! # Method
-//! The cutting part is explicit and limited by the lowest neighbour at the start of the round. Smoothing is implicit, by a few
-//! Jacobi sweeps from there, so that no weight makes it unstable. No node reads what another has written: the result has the same
-//! bits on any number of threads. Without `everywhere` smoothing only lowers: ground that would fill a channel's bed is washed
+//! The cutting part is explicit and limited by the lowest neighbour at the start of the round.
+//! Smoothing is implicit, by a few Jacobi sweeps from there, so that no weight makes it unstable.
+//! No node reads what another has written: the result has the same bits on any number of threads.
+//! Without `everywhere` smoothing only lowers: ground that would fill a channel's bed is washed
 //! away.
 //!
 //! # Sources
-//! Pytel (2015), Eqs. 4.4 to 4.6. His time step is in the weights and his f has no stated scale; here f_c is the part of the
-//! map's water, and a round is [`STEP`] of a step of his equation, found by looking. We take the slope of the water's surface, so
-//! that rivers stop cutting where they run into lakes. Slopes are those of the fitted quadratic, as his; the Laplacian is not:
-//! that of a quadratic fitted to nine nodes is positive for the checkerboard (8/3 for one of height 1), so explicit or not it
-//! would grow.
+//! Pytel (2015), Eqs. 4.4 to 4.6. His time step is in the weights and his f has no stated scale;
+//! here f_c is the part of the map's water, and a round is [`STEP`] of a step of his equation,
+//! found by looking. We take the slope of the water's surface, so that rivers stop cutting where
+//! they run into lakes. Slopes are those of the fitted quadratic, as his; the Laplacian is not:
+//! that of a quadratic fitted to nine nodes is positive for the checkerboard (8/3 for one of height
+//! 1), so explicit or not it would grow.
 
 use landform_core::algo::derivative::quadratic;
 use landform_core::grid::{Domain, RasterDomain, Status};
@@ -63,7 +66,8 @@ pub(super) struct Ground<'a> {
     pub(super) softness: &'a Resolved,
     /// Lowest elevation that pits are cut to, m.
     pub(super) bottom: f64,
-    /// Slope with which the ground beyond the open border falls to the bottom; none where base levels are held.
+    /// Slope with which the ground beyond the open border falls to the bottom; none where base
+    /// levels are held.
     pub(super) beyond: Option<f64>,
 }
 
@@ -131,7 +135,8 @@ pub(super) fn eroded_bed(g: &Ground, weights: &Weights) -> Vec<f64> {
         }
         let f = f * STEP * g.softness.at(i);
         let floor = g.lowest(i);
-        // Standing water deepens the flow and so slows it; its shear stress on the ground grows with the square of its speed.
+        // Standing water deepens the flow and so slows it; its shear stress on the ground grows
+        // with the square of its speed.
         let still = g.standing[i];
         let flow_damping = if still > 0.0 {
             let d = g.river.depth(g.flow[i]);
@@ -185,7 +190,8 @@ fn smooth(g: &Ground, cut: &[Cut], strength: impl Fn(usize) -> f64 + Sync) -> Ve
         let is_inside = row > 0 && row + 1 < rows && col > 0 && col + 1 < cols;
         is_inside && [i - 1, i + 1, i - cols, i + cols].iter().all(|&j| status[j] != Status::Masked)
     };
-    // k / (1 + k Σ c) where all four neighbours are there; 0 for what is not smoothed, k < 0 for what has fewer neighbours.
+    // k / (1 + k Σ c) where all four neighbours are there; 0 for what is not smoothed, k < 0 for
+    // what has fewer neighbours.
     let share = parallel::map(cut.len(), |i| match strength(i) {
         k if k < least => 0.0,
         k if is_whole(i) => k / (1.0 + 2.0 * k * (cx + cy)),
@@ -215,7 +221,8 @@ fn smooth(g: &Ground, cut: &[Cut], strength: impl Fn(usize) -> f64 + Sync) -> Ve
     now
 }
 
-/// One sweep over a row that starts at node `first`: `out` from `now`. Without branches, so that it runs on vectors.
+/// One sweep over a row that starts at node `first`: `out` from `now`. Without branches, so that it
+/// runs on vectors.
 fn smooth_row(first: usize, out: &mut [f64], share: &[f64], z: &[f64], now: &[f64], [cx, cy]: [f64; 2]) {
     let cols = out.len();
     let inner = |list| row_of(list, first + 1, cols - 2);

@@ -16,9 +16,9 @@ pub(super) struct Round {
     pub(super) needed: f64,
 }
 
-/// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells weaken by their part of it,
-/// so that the weakening by an area that falls does not depend on them. The thesis' sites of 15 m and radius of 25 m are of this
-/// size.
+/// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells
+/// weaken by their part of it, so that the weakening by an area that falls does not depend on them.
+/// The thesis' sites of 15 m and radius of 25 m are of this size.
 const WHOLE_EVENT: f64 = 0.6;
 
 /// What drives the sea at each site.
@@ -52,7 +52,8 @@ pub(super) struct Front {
 }
 
 impl Front {
-    /// A front between `land` and all other sites; `start_length` of a front that is taken up again.
+    /// A front between `land` and all other sites; `start_length` of a front that is taken up
+    /// again.
     pub(super) fn new(
         grid: &Grid,
         land: Vec<bool>,
@@ -101,7 +102,8 @@ impl Front {
         }
     }
 
-    /// Takes over which sites are land, after others moved ground or sea; returns those that changed.
+    /// Takes over which sites are land, after others moved ground or sea; returns those that
+    /// changed.
     pub(super) fn take_over(&mut self, land: Vec<bool>) -> Vec<usize> {
         let changed: Vec<usize> = (0..land.len()).filter(|&i| land[i] != self.land[i]).collect();
         self.land = land;
@@ -144,13 +146,15 @@ impl Front {
         }
     }
 
-    /// One round: the force of the sea is that at the start of the round, and all sites that it exceeds fall at once.
+    /// One round: the force of the sea is that at the start of the round, and all sites that it
+    /// exceeds fall at once.
     pub(super) fn round(&mut self, drive: &Drive) -> Round {
         let sites = self.coast.sites();
         let sides: Vec<u8> = sites.iter().map(|&s| self.coast.at(s).copied().unwrap_or(0)).collect();
         let coast = Coast { sites: &sites, sides: &sides, shape: self.shape, land: &self.land, wraps: self.wraps() };
         let resistance = parallel::map(sites.len(), |k| self.resistance(sites[k], sides[k]));
-        // The damping is not needed at a site that the undamped sea would not bring down, unless it wears or the round may stall.
+        // The damping is not needed at a site that the undamped sea would not bring down, unless it
+        // wears or the round may stall.
         let force = |k: usize| (drive.force)(sites[k]);
         let wanted: Vec<bool> =
             (0..sites.len()).map(|k| resistance[k] < force(k) || (drive.wear)(sites[k]) > 0.0).collect();
@@ -203,7 +207,8 @@ impl Front {
     }
 }
 
-/// The sea: sites at or under a level that connect to the open border, or to sites that were sea before.
+/// The sea: sites at or under a level that connect to the open border, or to sites that were sea
+/// before.
 pub(super) fn flood(grid: &Grid, z: &[f64], level: f64) -> Result<Vec<bool>> {
     let sites = RasterSites::new(grid, Connectivity::Four)?;
     let mut sea = vec![false; z.len()];

@@ -1,9 +1,11 @@
-//! Ground grown from a mask by fronts of erosion: the first stage of two-stage terrain (Pytel 2015, 4.3.4).
+//! Ground grown from a mask by fronts of erosion: the first stage of two-stage terrain (Pytel 2015,
+//! 4.3.4).
 //!
 //! # Model
-//! The mask chooses the lowest ground: rivers, seas. From there fronts erode the rest as the sea erodes a coast. At equal
-//! distances they leave level sets. Heights rise from set to set and are greatest where the fronts met last. If the ground is
-//! flooded to any level, its shore has the shape that fronts leave.
+//! The mask chooses the lowest ground: rivers, seas. From there fronts erode the rest as the sea
+//! erodes a coast. At equal distances they leave level sets. Heights rise from set to set and are
+//! greatest where the fronts met last. If the ground is flooded to any level, its shore has the
+//! shape that fronts leave.
 //!
 //! # Limits
 //! No front starts at the sides of the map: hills continue beyond them.
@@ -28,13 +30,13 @@ use crate::mechanism::{GridParams, within_map};
 /// Level sets along the longer side, if their spacing is not given.
 const SETS_ACROSS: f64 = 24.0;
 
-/// Hills from a mask: the lowest ground lies where the mask is at least one half, and level sets shaped like coasts rise from
-/// there.
+/// Hills from a mask: the lowest ground lies where the mask is at least one half, and level sets
+/// shaped like coasts rise from there.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct FrontTerrain {
-    /// Mask of the lowest ground, where it is at least one half: a picture such as { image = "strokes.png", black = 0.0, white =
-    /// 1.0 }, or a formula.
+    /// Mask of the lowest ground, where it is at least one half: a picture such as { image =
+    /// "strokes.png", black = 0.0, white = 1.0 }, or a formula.
     pub mask: Varying<RatioDimension>,
     /// Extent and distance between nodes.
     pub grid: GridParams,
@@ -45,7 +47,8 @@ pub struct FrontTerrain {
     pub relief: Length,
     /// How heights between level sets are found.
     pub interpolation: LevelInterpolation,
-    /// Greatest distance of a level set from the one before. If not given, it is a 24th of the longer side.
+    /// Greatest distance of a level set from the one before. If not given, it is a 24th of the
+    /// longer side.
     #[schemars(extend("x-above" = 0.0))]
     pub spacing: Option<Length>,
     /// Force of the fronts at the start, as in `coast_erosion`.

@@ -11,8 +11,8 @@ pub(super) fn print_of(node: usize, z: f64) -> u64 {
     Seed(z.to_bits()).bits(node as u64)
 }
 
-/// A number that is another one after almost any change of elevations: the sum of the nodes' parts, so that known changes can be
-/// added. **Cost** O(n), about a nanosecond a node.
+/// A number that is another one after almost any change of elevations: the sum of the nodes' parts,
+/// so that known changes can be added. **Cost** O(n), about a nanosecond a node.
 pub(super) fn fingerprint(z: &[f64]) -> u64 {
     let chunk = |k: usize| {
         let nodes = k * CHUNK..((k + 1) * CHUNK).min(z.len());

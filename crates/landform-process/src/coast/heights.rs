@@ -1,14 +1,15 @@
 //! Heights between level sets.
 //!
 //! # Method
-//! From the distances to the lower and the upper level set, measured within the band between them by fast marching: linearly, or
-//! by Hermite's polynomials with limited slopes at the level sets, so that the ground has no creases there. On summits, within
-//! the last level set, its slope continues, up to one interval. Least bending starts from Hermite's surface and is held to it
+//! From the distances to the lower and the upper level set, measured within the band between them
+//! by fast marching: linearly, or by Hermite's polynomials with limited slopes at the level sets,
+//! so that the ground has no creases there. On summits, within the last level set, its slope
+//! continues, up to one interval. Least bending starts from Hermite's surface and is held to it
 //! along the level sets.
 //!
 //! # Sources
-//! Hormann, Spinello & Schroeder (2003) for slopes across level sets; Fritsch & Carlson (1980) for their limit; Szeliski &
-//! Terzopoulos (1989) for least bending.
+//! Hormann, Spinello & Schroeder (2003) for slopes across level sets; Fritsch & Carlson (1980) for
+//! their limit; Szeliski & Terzopoulos (1989) for least bending.
 
 use landform_core::algo::fast_marching::{Order, march};
 use landform_core::algo::thin_plate::Plate;
@@ -17,7 +18,8 @@ use landform_core::parallel;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Part of plate in the surface of least bending; the rest is membrane, which keeps it from overshooting.
+/// Part of plate in the surface of least bending; the rest is membrane, which keeps it from
+/// overshooting.
 const PLATE: f64 = 0.9;
 /// Weight of the heights along level sets.
 const HOLD: f64 = 0.5;
@@ -37,8 +39,8 @@ pub enum LevelInterpolation {
     Variational,
 }
 
-/// Heights above the sea of land in numbered bands, m; 0 at sea. `typical_slope` is that of islets within which no level set
-/// lies.
+/// Heights above the sea of land in numbered bands, m; 0 at sea. `typical_slope` is that of islets
+/// within which no level set lies.
 pub(super) fn heights(
     lattice: &Lattice,
     levels: &[u32],
@@ -64,7 +66,8 @@ pub(super) fn heights(
         if levels[i] == 0 {
             return 0.0;
         }
-        // The slope of the band on the other side of a level set, where the way from here crosses it.
+        // The slope of the band on the other side of a level set, where the way from here crosses
+        // it.
         let beyond = |bands: &Bands| bands.foot(i).map_or(f64::NAN, slope);
         let (d, w, own) = (below.distance[i], width(i), slope(i));
         let at_set = |other: f64| match (own.is_nan(), other.is_nan()) {

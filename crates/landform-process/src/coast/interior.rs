@@ -17,8 +17,8 @@ use super::heights::{LevelInterpolation, heights};
 use super::levels::FrontErosion;
 use super::params::{CoastErosion, Exposure, Perimeter, Weakening, Whole};
 
-/// Gives islands an interior: the coasts that a sea of growing force would leave become level sets of hills. Land keeps its
-/// outline and loses the heights that it had.
+/// Gives islands an interior: the coasts that a sea of growing force would leave become level sets
+/// of hills. Land keeps its outline and loses the heights that it had.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct IslandInterior {

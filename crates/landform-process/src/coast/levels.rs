@@ -1,13 +1,14 @@
-//! Level sets of land: the coasts that a sea of growing force would leave (Pytel 2015, listing 4.1).
+//! Level sets of land: the coasts that a sea of growing force would leave (Pytel 2015, listing
+//! 4.1).
 //!
 //! # Method
-//! The sea goes on eroding. Where it stops, its force is raised just enough to bring down the weakest site. When the front is
-//! farther than `spacing` from the last level set anywhere, sites that have not moved since then are made to fall, and the front
-//! is the next level set.
+//! The sea goes on eroding. Where it stops, its force is raised just enough to bring down the
+//! weakest site. When the front is farther than `spacing` from the last level set anywhere, sites
+//! that have not moved since then are made to fall, and the front is the next level set.
 //!
 //! # Limits
-//! A level set closes when any one finger of the front has come too far, so sets lie closer than `spacing`. They are the closer,
-//! the finer the cells and the weaker the weakening.
+//! A level set closes when any one finger of the front has come too far, so sets lie closer than
+//! `spacing`. They are the closer, the finer the cells and the weaker the weakening.
 
 use landform_core::Result;
 use landform_core::agents::{Connectivity, RasterSites};
@@ -67,7 +68,8 @@ impl FrontErosion {
             };
             mark(&round.fallen, &mut levels, &mut steps);
             if round.fallen.iter().any(|&s| steps[s] > most) {
-                // Sites whose neighbours at sea were all there before this level: they have not moved since.
+                // Sites whose neighbours at sea were all there before this level: they have not
+                // moved since.
                 let stuck: Vec<usize> = front
                     .coast_sites()
                     .into_iter()

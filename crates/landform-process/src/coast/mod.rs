@@ -1,28 +1,30 @@
 //! Coasts.
 //!
 //! # Model
-//! Land on a raster has the sea around it. Every site has a resistance R, random from 0 to 1, which exposed sides lower. A site
-//! of the coast falls where the force of the sea F = f / (1 + g L / L0) exceeds it (Eq. 2.8; locally Eq. 4.2). A site that falls
-//! may weaken sites nearby (4.2.3). All sites that fall in a round do so at once; the land behind them is coast from the next
-//! round on.
+//! Land on a raster has the sea around it. Every site has a resistance R, random from 0 to 1, which
+//! exposed sides lower. A site of the coast falls where the force of the sea F = f / (1 + g L / L0)
+//! exceeds it (Eq. 2.8; locally Eq. 4.2). A site that falls may weaken sites nearby (4.2.3). All
+//! sites that fall in a round do so at once; the land behind them is coast from the next round on.
 //!
 //! # Method
-//! The coast is a group of agents; a round costs as much as the coast is long, and with a local perimeter its length times the
-//! radius. Where other processes on the same clock moved the ground, or the level of the sea changed, the sea floods anew before
-//! the round: what rose from it has all its resistance again.
+//! The coast is a group of agents; a round costs as much as the coast is long, and with a local
+//! perimeter its length times the radius. Where other processes on the same clock moved the ground,
+//! or the level of the sea changed, the sea floods anew before the round: what rose from it has all
+//! its resistance again.
 //!
 //! # Limits
-//! Rounds have no length in time. All land that falls gets the same depth. Without weakening the model has no scale: the depth of
-//! its bays is a number of cells, not of metres.
+//! Rounds have no length in time. All land that falls gets the same depth. Without weakening the
+//! model has no scale: the depth of its bays is a number of cells, not of metres.
 //!
 //! # Sources
-//! Sapoval, Baldassarri & Gabrielli (2004); Pytel (2015), 2.3.3, 4.2, 4.3.4 and B.1, whose radii are read as metres on sites 15 m
-//! apart (radii of 150 to 250 sites do not fit his run times). Weakening in proportion to the missing neighbours is 4.2.1. L in
-//! Eq. 4.2 is taken over 2 R: see `perimeter.rs`. With that the forces of tables 4.3 and 4.4 work as printed.
+//! Sapoval, Baldassarri & Gabrielli (2004); Pytel (2015), 2.3.3, 4.2, 4.3.4 and B.1, whose radii
+//! are read as metres on sites 15 m apart (radii of 150 to 250 sites do not fit his run times).
+//! Weakening in proportion to the missing neighbours is 4.2.1. L in Eq. 4.2 is taken over 2 R: see
+//! `perimeter.rs`. With that the forces of tables 4.3 and 4.4 work as printed.
 //!
 //! # Checked by
-//! `tests`: tables 4.3 and 4.4 as printed, fractal dimension, width and final force of percolation fronts, global as the limit of local, rest, sea, weakening,
-//! ground that moves beside it.
+//! `tests`: tables 4.3 and 4.4 as printed, fractal dimension, width and final force of percolation
+//! fronts, global as the limit of local, rest, sea, weakening, ground that moves beside it.
 //!
 //! # Example
 //! A sea that is stronger than any rock takes one ring of sites in each round:
@@ -111,8 +113,8 @@ impl CoastErosion {
         Front::new(terrain.grid(), land, material, (self.exposure, self.perimeter), radius, length)
     }
 
-    /// The front as it was left. Land and material move between the state, which a checkpoint holds, and the front, which it does
-    /// not.
+    /// The front as it was left. Land and material move between the state, which a checkpoint
+    /// holds, and the front, which it does not.
     fn resume(&self, terrain: &HeightField, state: &mut State) -> Result<Front> {
         let (land, material) = (std::mem::take(&mut state.land), std::mem::take(&mut state.material));
         match state.front.take() {

@@ -24,7 +24,8 @@ pub enum Perimeter {
         #[serde(default)]
         search: Search,
     },
-    /// Coasts of the sectors around each site, linear between the centres of sectors: fast, but traces of the sectors remain.
+    /// Coasts of the sectors around each site, linear between the centres of sectors: fast, but
+    /// traces of the sectors remain.
     Sectors {
         /// The map is cut into 2^k by 2^k sectors.
         sectors: u32,
@@ -56,10 +57,11 @@ pub enum Search {
 pub enum Exposure {
     /// It does not fall.
     None,
-    /// In proportion to the sides that still touch land: one side leaves 3/4 of R, two 1/2, three 1/4, four 0 (Pytel 2015, 4.2.1).
+    /// In proportion to the sides that still touch land: one side leaves 3/4 of R, two 1/2, three
+    /// 1/4, four 0 (Pytel 2015, 4.2.1).
     Proportional,
-    /// One side: R; two: R squared; three or four: 0 (Sapoval, Baldassarri & Gabrielli 2004). The same coasts want a force that is
-    /// about 0.25 higher.
+    /// One side: R; two: R squared; three or four: 0 (Sapoval, Baldassarri & Gabrielli 2004). The
+    /// same coasts want a force that is about 0.25 higher.
     #[default]
     Squared,
 }
@@ -68,8 +70,9 @@ pub enum Exposure {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Weakening {
-    /// Resistance that a site loses when a square of 0.6 radii beside it falls; less with distance. Resistances are from 0 to 1; on
-    /// cells much smaller than the radius more than 1 may be meant, since each weakens by its part of the square.
+    /// Resistance that a site loses when a square of 0.6 radii beside it falls; less with distance.
+    /// Resistances are from 0 to 1; on cells much smaller than the radius more than 1 may be meant,
+    /// since each weakens by its part of the square.
     pub amount: f64,
     /// Distance from which on a site loses nothing.
     pub radius: Length,
@@ -102,30 +105,32 @@ pub enum Stable {
     Stable,
 }
 
-/// Coast erosion: a site of the coast falls where the force of the sea exceeds its resistance, and a longer coast damps the sea.
-/// The sea lies beyond the open sides of the map. Runs without a clock.
+/// Coast erosion: a site of the coast falls where the force of the sea exceeds its resistance, and
+/// a longer coast damps the sea. The sea lies beyond the open sides of the map. Runs without a
+/// clock.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct CoastErosion {
     /// Force f of the sea, against resistances from 0 to 1.
     #[schemars(extend("x-min" = 0.0))]
     pub force: Varying<RatioDimension>,
-    /// Damping g of the sea by the length of the coast: F = f / (1 + g L / L0). With 0.1 and more the coast is rough, with 0.003
-    /// and less it is fractal.
+    /// Damping g of the sea by the length of the coast: F = f / (1 + g L / L0). With 0.1 and more
+    /// the coast is rough, with 0.003 and less it is fractal.
     #[schemars(extend("x-min" = 0.0))]
     pub damping: Varying<RatioDimension>,
-    /// Coast whose length damps the sea: "global", { local = "1 km", search = "contiguous" } or "all", or { sectors = 2 }.
+    /// Coast whose length damps the sea: "global", { local = "1 km", search = "contiguous" } or
+    /// "all", or { sectors = 2 }.
     pub perimeter: Perimeter,
     /// How the resistance of sites falls with the number of their sides that the sea reaches.
     pub exposure: Exposure,
-    /// Weakening of sites near one that falls: { amount, radius }. It makes coasts straighter. `weakening_factor` may vary its
-    /// amount in space.
+    /// Weakening of sites near one that falls: { amount, radius }. It makes coasts straighter.
+    /// `weakening_factor` may vary its amount in space.
     pub weakening: Option<Weakening>,
     /// Factor on the amount of weakening; may vary in space. If not given, it is 1.
     #[schemars(extend("x-min" = 0.0))]
     pub weakening_factor: Option<Varying<RatioDimension>>,
-    /// Fraction k of the force that wears a site down in each round. With 0 a site keeps its resistance until the force exceeds
-    /// it.
+    /// Fraction k of the force that wears a site down in each round. With 0 a site keeps its
+    /// resistance until the force exceeds it.
     #[schemars(extend("x-min" = 0.0))]
     pub wear: Varying<RatioDimension>,
     /// Factor on the resistances of the rock, which are random from 0 to 1; may vary in space.
@@ -136,8 +141,8 @@ pub struct CoastErosion {
     /// Greatest number of rounds.
     #[schemars(extend("x-min" = 1, "x-max" = 1e7))]
     pub iterations: u64,
-    /// Sea level. Ground at or under it that is connected to the open border is sea. If not given, it is the environment's sea
-    /// level, or else 0 m.
+    /// Sea level. Ground at or under it that is connected to the open border is sea. If not given,
+    /// it is the environment's sea level, or else 0 m.
     pub sea_level: Option<Length>,
     /// Depth of the water where land was taken.
     #[schemars(extend("x-above" = 0.0))]

@@ -1,12 +1,14 @@
 //! Length of coast relative to that of a straight one, at each site of the coast.
 //!
 //! # Method
-//! Global: sides of all sites over sides at the start. Local: sides of sites within the radius over 2 R, the length of a straight
-//! coast there, or over the length of all coasts at the start if that is less; so a radius beyond the domain gives the global
-//! model. Counted by sums along the rows, two look-ups for each row of the disc; short coasts site by site. Contiguous: only
-//! sites of the same shore, which are those that eight-neighbour steps along the coast join. (Pytel 2015 leaves the unit of L in
-//! Eq. 4.2 open; with raw lengths his g would leave no force at all.) Sectors: lengths by marching squares, summed over a grid of
-//! sectors, linear between their middles, over the side of one.
+//! Global: sides of all sites over sides at the start. Local: sides of sites within the radius over
+//! 2 R, the length of a straight coast there, or over the length of all coasts at the start if that
+//! is less; so a radius beyond the domain gives the global model. Counted by sums along the rows,
+//! two look-ups for each row of the disc; short coasts site by site. Contiguous: only sites of the
+//! same shore, which are those that eight-neighbour steps along the coast join. (Pytel 2015 leaves
+//! the unit of L in Eq. 4.2 open; with raw lengths his g would leave no force at all.) Sectors:
+//! lengths by marching squares, summed over a grid of sectors, linear between their middles, over
+//! the side of one.
 
 use landform_core::grid::Shape;
 use landform_core::parallel;
@@ -200,9 +202,9 @@ fn in_sectors(coast: &Coast, power: u32, start: f64) -> Vec<f64> {
     (0..coast.sites.len()).map(of).collect()
 }
 
-/// Length of the line that marching squares draw around a site, in cells: that of each of the four squares of 2 x 2 sites around
-/// it, shared among the sites of the square that are land. Both squares with land on a diagonal are cut alike, into two short
-/// lines.
+/// Length of the line that marching squares draw around a site, in cells: that of each of the four
+/// squares of 2 x 2 sites around it, shared among the sites of the square that are land. Both
+/// squares with land on a diagonal are cut alike, into two short lines.
 pub(super) fn marching_length(coast: &Coast, site: usize) -> f64 {
     let Shape { rows, cols } = coast.shape;
     let cell = coast.shape.cell(site);

@@ -62,7 +62,8 @@ fn mainland(field: &HeightField) -> Vec<bool> {
     main
 }
 
-/// The force at the end, the standard deviation of the outer coast's position and its dimension by boxes of 2 cells to that.
+/// The force at the end, the standard deviation of the outer coast's position and its dimension by
+/// boxes of 2 cells to that.
 fn percolation(damping: f64, seed: u64) -> (f64, f64, f64) {
     let force = 0.66;
     let params = CoastErosion {
@@ -107,7 +108,8 @@ fn percolation(damping: f64, seed: u64) -> (f64, f64, f64) {
 
 #[test]
 fn weakly_damped_fronts_are_those_of_percolation() {
-    // CO2 to CO4: dimension of the outer coast towards 4/3, width as g^-4/7, force towards the threshold 0.5927 from below.
+    // CO2 to CO4: dimension of the outer coast towards 4/3, width as g^-4/7, force towards the
+    // threshold 0.5927 from below.
     let dampings = [0.1, 0.03, 0.01, 0.003, 0.001];
     let found: Vec<(f64, f64, f64)> = dampings
         .iter()
@@ -180,8 +182,8 @@ fn the_sea_rests_and_is_one() {
 
 #[test]
 fn weakening_straightens_the_coast() {
-    // CO8, figure 4.6 with the amounts of table 4.5, each for the fall of one site. The coast wears, and the sea stops at the same
-    // share of land.
+    // CO8, figure 4.6 with the amounts of table 4.5, each for the fall of one site. The coast
+    // wears, and the sea stops at the same share of land.
     let length = |amount: f64| {
         let sum: f64 = (1..=4)
             .map(|seed| {
@@ -208,7 +210,8 @@ fn weakening_straightens_the_coast() {
     assert!(lengths[1..].windows(2).take(3).all(|w| w[1] < w[0]), "{lengths:?}");
 }
 
-/// Share of land and length of coast (sides over those at the start) that a sea leaves of a square of 256 x 256 sites 15 m apart.
+/// Share of land and length of coast (sides over those at the start) that a sea leaves of a square
+/// of 256 x 256 sites 15 m apart.
 fn of_square(params: &CoastErosion, seed: u64) -> (f64, f64) {
     let (field, stopped) = run(params, ground(256, 256, 15.0, false), seed);
     assert_eq!(stopped, Stopped::AtRest);
@@ -326,7 +329,8 @@ fn beside(
 #[test]
 fn a_coast_heeds_ground_that_rises_and_sinks_beside_it() {
     let sides = |n: usize, i: usize| [i % n, n - 1 - i % n, i / n, n - 1 - i / n].into_iter().min().unwrap();
-    // The floor comes up over the sea after five rounds: it is land again, and the sea starts from the border.
+    // The floor comes up over the sea after five rounds: it is land again, and the sea starts from
+    // the border.
     let strong = CoastErosion { force: number(10.0), ..CoastErosion::default() };
     let lift = |index: u64, z: &mut [f64]| {
         if index == 5 {
@@ -385,7 +389,8 @@ fn small_islands_go_and_large_ones_stay() {
 
 #[test]
 fn the_inside_of_a_cone_is_a_cone() {
-    // Level sets at equal distances: heights are linear in the distance, without creases, whatever the interpolation.
+    // Level sets at equal distances: heights are linear in the distance, without creases, whatever
+    // the interpolation.
     let n = 121;
     let grid = Grid::new(Shape::new(n, n), [1.0, 1.0]).unwrap();
     let lattice = landform_core::grid::Lattice::of(&grid);

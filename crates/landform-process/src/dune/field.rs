@@ -31,7 +31,8 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// Takes the sand that lies on a terrain, and at the start of a run adds the sand of the parameters.
+    /// Takes the sand that lies on a terrain, and at the start of a run adds the sand of the
+    /// parameters.
     pub(super) fn lay(params: &Dunes, terrain: &HeightField, context: &Context) -> Result<Self> {
         let slab = params.slab_on(terrain.grid());
         let unit = slab / f64::from(UNITS_A_SLAB);
@@ -120,7 +121,8 @@ impl Field {
         terrain.change_depth(SAND, &depth)
     }
 
-    /// The site where sand lands that starts at a site and hops this many columns east and rows south; none if it leaves.
+    /// The site where sand lands that starts at a site and hops this many columns east and rows
+    /// south; none if it leaves.
     #[inline]
     pub(super) fn hop(&self, site: usize, cols: i64, rows: i64) -> Option<usize> {
         let shape = self.sand.shape();
@@ -144,7 +146,8 @@ impl Field {
     }
 }
 
-/// The ground, and in its holes that of the nearest site with data, so that sand does not fall into them as into a pit.
+/// The ground, and in its holes that of the nearest site with data, so that sand does not fall into
+/// them as into a pit.
 fn beside_holes(shape: Shape, ground: &[f64]) -> Vec<f64> {
     let mut known = ground.to_vec();
     let mut next: VecDeque<usize> = (0..known.len()).filter(|&i| !known[i].is_nan()).collect();

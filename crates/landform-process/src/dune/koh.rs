@@ -1,18 +1,21 @@
 //! Koh's automaton (2002), section 5.2.
 //!
-//! Wind enters at full strength and is swept downwind: the mean of the three places upwind, less a part of the height by which
-//! the next place to windward stands above. (The thesis' "next cell in the wind direction" is read as it reads "the three
-//! neighbouring cells in the wind direction" a sentence before: towards the wind. If the rise ahead slows the wind instead, sand
-//! never comes to rest in a lee.) Its strength is the probability that a slab moves, to the lowest of the three places downwind.
-//! All cells move at once.
+//! Wind enters at full strength and is swept downwind: the mean of the three places upwind, less a
+//! part of the height by which the next place to windward stands above. (The thesis' "next cell in
+//! the wind direction" is read as it reads "the three neighbouring cells in the wind direction" a
+//! sentence before: towards the wind. If the rise ahead slows the wind instead, sand never comes to
+//! rest in a lee.) Its strength is the probability that a slab moves, to the lowest of the three
+//! places downwind. All cells move at once.
 //!
-//! A slab stays where its cell stands too steeply above one of the three places to windward. This rule, the thesis' own, is what
-//! ends the growth of dunes: if the rise ahead holds the slab instead, dunes grow for ever.
+//! A slab stays where its cell stands too steeply above one of the three places to windward. This
+//! rule, the thesis' own, is what ends the growth of dunes: if the rise ahead holds the slab
+//! instead, dunes grow for ever.
 //!
-//! The places are one step away and lie across the wind, whatever its direction; heights and winds there are linear between
-//! cells, and a slab lands on one of the cells around its place at random, so that no direction of the lattice is preferred. For
-//! winds along the axes they are the three cells of the thesis. Two rules are added to the thesis: slabs slip at the angle of
-//! repose, and slowed wind recovers over a distance; without the second the first dune would shield all others.
+//! The places are one step away and lie across the wind, whatever its direction; heights and winds
+//! there are linear between cells, and a slab lands on one of the cells around its place at random,
+//! so that no direction of the lattice is preferred. For winds along the axes they are the three
+//! cells of the thesis. Two rules are added to the thesis: slabs slip at the angle of repose, and
+//! slowed wind recovers over a distance; without the second the first dune would shield all others.
 
 use landform_core::grid::{Grid, Shape};
 use landform_core::random::Seed;
@@ -63,7 +66,8 @@ impl Air {
         [0.0, -1.0, 1.0].map(|across| between(self.point(along, across)))
     }
 
-    /// Cells that come before any cell in the sweep, with their parts of the mean of the three places upwind of it.
+    /// Cells that come before any cell in the sweep, with their parts of the mean of the three
+    /// places upwind of it.
     fn upwind(&self) -> Place {
         let mut mean: Place = Vec::new();
         for (c, r, weight) in self.three(-1.0).into_iter().flatten().filter(|&(c, r, _)| self.is_before(c, r)) {
@@ -137,8 +141,8 @@ fn between(point: [f64; 2]) -> Place {
 
 /// The strength of a wind over a surface (in m), into `out`.
 pub(super) fn wind_over(air: &Air, height: impl Fn(usize) -> f64, loss: f64, recovery: f64, out: &mut [f32]) {
-    // Wind that recovers does not depend on where it began, so it may cross the seam of a torus without a trace. Any other begins
-    // anew there.
+    // Wind that recovers does not depend on where it began, so it may cross the seam of a torus
+    // without a trace. Any other begins anew there.
     let recovers = recovery > 0.0;
     let passes = if air.torus && recovers { 2 } else { 1 };
     let wraps = air.ahead.map(|a| air.torus && (recovers || a == 0.0));
@@ -215,7 +219,8 @@ fn is_held(air: &Air, at: (usize, usize), up: &[Place; 3], height: impl Fn(usize
     up.iter().filter_map(|place| air.value(at, place, &height)).any(|h| own - h > climb)
 }
 
-/// The cell where a slab lands: at the lowest of the three places downwind, the middle one of equals; none off the field.
+/// The cell where a slab lands: at the lowest of the three places downwind, the middle one of
+/// equals; none off the field.
 fn landing(air: &Air, field: &Field, node: usize, down: &[Place; 3], chance: [f64; 2]) -> Option<usize> {
     let cell = air.shape.cell(node);
     let height = |i: usize| f64::from(field.sand.surface()[i]);

@@ -1,27 +1,31 @@
 //! Dunes.
 //!
 //! # Model
-//! Slabs of sand lie on hard ground. In a round the wind acts once on average on every site: if sand lies there without shelter,
-//! a slab is lifted and hops downwind. Where it lands it stays for certain in shelter, likely on sand, less likely on hard
-//! ground; else it hops on. Sand steeper than the angle of repose slips. Shelter depends on the model: a shadow with `werner`, a
-//! cone with `protection`, a wind field with `koh`.
+//! Slabs of sand lie on hard ground. In a round the wind acts once on average on every site: if
+//! sand lies there without shelter, a slab is lifted and hops downwind. Where it lands it stays for
+//! certain in shelter, likely on sand, less likely on hard ground; else it hops on. Sand steeper
+//! than the angle of repose slips. Shelter depends on the model: a shadow with `werner`, a cone
+//! with `protection`, a wind field with `koh`.
 //!
 //! # Method
-//! Heights are whole numbers of 1/64 slab, so sand is conserved exactly. Sites are drawn at random within strips that fit in the
-//! cache. Shelter is found anew four times a round. Hops that are no whole number of cells are rounded at random to either side.
-//! At the end slabs get finer, and diffusion removes the grooves of the lattice.
+//! Heights are whole numbers of 1/64 slab, so sand is conserved exactly. Sites are drawn at random
+//! within strips that fit in the cache. Shelter is found anew four times a round. Hops that are no
+//! whole number of cells are rounded at random to either side. At the end slabs get finer, and
+//! diffusion removes the grooves of the lattice.
 //!
 //! # Limits
-//! Dunes have no least size: a cell should be 1 to 3 m, or dunes appear that do not occur in nature. Thesis and erratum differ on
-//! a hop of length 0 (table 4.2): there is none here. Sand slips to eight neighbours (Werner: four); along axes slopes do not
-//! exceed repose, diagonally they may by up to half a slab.
+//! Dunes have no least size: a cell should be 1 to 3 m, or dunes appear that do not occur in
+//! nature. Thesis and erratum differ on a hop of length 0 (table 4.2): there is none here. Sand
+//! slips to eight neighbours (Werner: four); along axes slopes do not exceed repose, diagonally
+//! they may by up to half a slab.
 //!
 //! # Sources
-//! Werner (1995); Pytel (2015), 4.1, in whose tables a site is taken to be 15 m wide: a slab of 5 is then a third of it, as in
-//! Werner; Koh (2002), 5.2.
+//! Werner (1995); Pytel (2015), 4.1, in whose tables a site is taken to be 15 m wide: a slab of 5
+//! is then a third of it, as in Werner; Koh (2002), 5.2.
 //!
 //! # Checked by
-//! `tests`: sand kept, slopes, coarsening, bare ground, barchans' speed and shape, classes by wind, grooves, Koh's wind.
+//! `tests`: sand kept, slopes, coarsening, bare ground, barchans' speed and shape, classes by wind,
+//! grooves, Koh's wind.
 //!
 //! # Example
 //! Wind moves sand. With periodic borders the amount of sand stays the same:
@@ -165,7 +169,8 @@ impl Process<HeightField> for Dunes {
 }
 
 impl Dunes {
-    /// Fraction of the winds from which each site is sheltered by the model's own rule, on the sand as it lies.
+    /// Fraction of the winds from which each site is sheltered by the model's own rule, on the sand
+    /// as it lies.
     fn shelter(&self, terrain: &HeightField, state: &mut State, environment: &Environment) -> Result<Vec<f64>> {
         let State { field, protection, scratch, .. } = state;
         let rose = self.rose(environment)?;

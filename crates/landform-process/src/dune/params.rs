@@ -14,7 +14,8 @@ pub enum Model {
     /// Slabs that hop downwind and come to rest in the shadow of higher sand (Werner 1995).
     #[default]
     Werner,
-    /// As `werner`, but sand protects a cone downwind of it instead of casting a shadow (Pytel 2015).
+    /// As `werner`, but sand protects a cone downwind of it instead of casting a shadow (Pytel
+    /// 2015).
     Protection,
     /// A wind slowed behind rises carries sand to the lowest of three places downwind (Koh 2002).
     Koh,
@@ -41,17 +42,19 @@ pub enum Borders {
     Open,
 }
 
-/// Dunes: wind piles up loose sand on hard ground. The amount of sand and the directions of the wind decide whether barchans,
-/// transverse, linear or star dunes form. Runs without a clock for `iterations` rounds, whose length in time follows from `flux`.
+/// Dunes: wind piles up loose sand on hard ground. The amount of sand and the directions of the
+/// wind decide whether barchans, transverse, linear or star dunes form. Runs without a clock for
+/// `iterations` rounds, whose length in time follows from `flux`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Dunes {
     /// Rules that move the sand.
     pub model: Model,
-    /// Depth of sand that is added at the start to the sand on the ground; none is added under water.
+    /// Depth of sand that is added at the start to the sand on the ground; none is added under
+    /// water.
     pub sand: Varying<LengthDimension>,
-    /// Winds, each with the compass direction that it comes from and the fraction of the time that it blows. If none are given,
-    /// they are the environment's, or else a west wind.
+    /// Winds, each with the compass direction that it comes from and the fraction of the time that
+    /// it blows. If none are given, they are the environment's, or else a west wind.
     pub wind: Vec<Wind>,
     /// Number of rounds that a wind blows before the next is drawn.
     #[schemars(extend("x-min" = 1))]
@@ -59,36 +62,42 @@ pub struct Dunes {
     /// Werner and protection: distance that sand is carried in one hop. If not given, it is 10 m.
     #[schemars(extend("x-above" = 0.0))]
     pub hop: Option<Length>,
-    /// Number of rounds, if there is no clock. In each round the wind acts once on average on every site.
+    /// Number of rounds, if there is no clock. In each round the wind acts once on average on every
+    /// site.
     #[schemars(extend("x-max" = 1e7))]
     pub iterations: u64,
-    /// Thickness of a slab. If not given, it is half of the greatest step between neighbours (a third of a cell); with `koh` a
-    /// sixth of it.
+    /// Thickness of a slab. If not given, it is half of the greatest step between neighbours (a
+    /// third of a cell); with `koh` a sixth of it.
     #[schemars(extend("x-above" = 0.0))]
     pub slab: Option<Length>,
-    /// Number k of refinements at the end: 2 more rounds with half slabs, 4 with quarters, up to 2^k with slabs of a 2^k-th.
+    /// Number k of refinements at the end: 2 more rounds with half slabs, 4 with quarters, up to
+    /// 2^k with slabs of a 2^k-th.
     #[schemars(extend("x-max" = 6))]
     pub refinements: u32,
-    /// Werner and protection: probability that sand which lands on sand stays. If not given, it is 0.6.
+    /// Werner and protection: probability that sand which lands on sand stays. If not given, it is
+    /// 0.6.
     #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
     pub stay_on_sand: Option<f64>,
-    /// Werner and protection: probability that sand which lands on hard ground stays. If not given, it is 0.4.
+    /// Werner and protection: probability that sand which lands on hard ground stays. If not given,
+    /// it is 0.4.
     #[schemars(extend("x-min" = 0.001, "x-max" = 1.0))]
     pub stay_on_ground: Option<f64>,
     /// Angle of repose.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub repose: Angle,
-    /// Werner: angle of the wind shadow behind a rise: the wind does not reach the ground below it. If not given, it is 15
-    /// degrees.
+    /// Werner: angle of the wind shadow behind a rise: the wind does not reach the ground below it.
+    /// If not given, it is 15 degrees.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub shadow: Option<Angle>,
     /// Protection: distance downwind that a site protects. If not given, it is 20 m.
     #[schemars(extend("x-above" = 0.0))]
     pub reach: Option<Length>,
-    /// Protection: half-angle of the protected cone, to either side of the wind. If not given, it is 15 degrees.
+    /// Protection: half-angle of the protected cone, to either side of the wind. If not given, it
+    /// is 15 degrees.
     #[schemars(extend("x-min" = 0.0, "x-max" = 90.0))]
     pub cone: Option<Angle>,
-    /// Koh: fraction of its strength that the wind loses behind a drop of one in one. If not given, it is 1.
+    /// Koh: fraction of its strength that the wind loses behind a drop of one in one. If not given,
+    /// it is 1.
     #[schemars(extend("x-min" = 0.0))]
     pub wind_loss: Option<f64>,
     /// Koh: distance over which slowed wind recovers. If not given, it is 10 m.
@@ -100,16 +109,18 @@ pub struct Dunes {
     /// Koh: steepest windward side from which sand is blown. If not given, it is 25 degrees.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
     pub steepest_climb: Option<Angle>,
-    /// Distance, in cells, over which diffusion smooths the sand at the end. It removes grooves that follow the lattice.
+    /// Distance, in cells, over which diffusion smooths the sand at the end. It removes grooves
+    /// that follow the lattice.
     #[schemars(extend("x-min" = 0.0, "x-max" = 50.0))]
     pub smoothing: f64,
-    /// Sand that the wind could carry in a year across each metre of width, over open sand. It sets the length of a round in
-    /// time.
+    /// Sand that the wind could carry in a year across each metre of width, over open sand. It sets
+    /// the length of a round in time.
     #[schemars(extend("x-above" = 0.0))]
     pub flux: Diffusivity,
     /// How the sides of the map treat sand.
     pub borders: Borders,
-    /// Sea level: sand that falls on ground under it is lost. If not given, it is the environment's, or else 0 m.
+    /// Sea level: sand that falls on ground under it is lost. If not given, it is the
+    /// environment's, or else 0 m.
     pub sea_level: Option<Length>,
 }
 

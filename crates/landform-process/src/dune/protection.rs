@@ -1,11 +1,11 @@
 //! Protection instead of shadows (Pytel 2015, 4.1.2).
 //!
-//! A site protects the cone downwind of it: sand that is deposited there adds to the protection of every site of the cone, and
-//! sand that is eroded reduces it. A site is sheltered while its protection is positive. Lines of sight are not computed; shadows
-//! emerge.
+//! A site protects the cone downwind of it: sand that is deposited there adds to the protection of
+//! every site of the cone, and sand that is eroded reduces it. A site is sheltered while its
+//! protection is positive. Lines of sight are not computed; shadows emerge.
 //!
-//! The thesis does not give the protection at the start. Here every site protects by the sand that it holds above the mean depth,
-//! so that sand which was there before counts as deposited sand.
+//! The thesis does not give the protection at the start. Here every site protects by the sand that
+//! it holds above the mean depth, so that sand which was there before counts as deposited sand.
 
 use landform_core::agents::{Connectivity, Falloff, RasterSites, Stencil};
 use landform_core::grid::{Edge, Edges, Grid};
@@ -58,8 +58,8 @@ impl Protection {
         Some(Cones { sites, stencils: self.towards.iter().map(cone).collect() })
     }
 
-    /// Updates the protection downwind of the sand that was eroded and deposited since the last call. **Cost** O(sites that
-    /// changed · cone).
+    /// Updates the protection downwind of the sand that was eroded and deposited since the last
+    /// call. **Cost** O(sites that changed · cone).
     pub(super) fn update(&mut self, field: &Field) {
         let Some(cones) = self.cones.take().or_else(|| self.cones()) else { return };
         for (site, depth) in field.depths().enumerate() {

@@ -12,7 +12,8 @@ use crate::mechanism::wind::WindScan;
 
 /// How often shelter is found anew in a round.
 const LOOKS_A_ROUND: u64 = 4;
-/// Sites of a strip on which the wind acts together: their heights, sand and shelter fit in the second-level cache.
+/// Sites of a strip on which the wind acts together: their heights, sand and shelter fit in the
+/// second-level cache.
 const STRIP: usize = 1 << 16;
 
 /// Lets the wind act once on average on every site (or on a fraction of them).

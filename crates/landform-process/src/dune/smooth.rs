@@ -5,10 +5,12 @@ use landform_core::terrain::{HeightField, NodeSurface};
 
 use super::field::{Field, SAND};
 
-/// Largest part of a difference that crosses a face in one round: explicit diffusion is stable below a quarter.
+/// Largest part of a difference that crosses a face in one round: explicit diffusion is stable
+/// below a quarter.
 const MOST: f64 = 0.2;
 
-/// Smooths the surface of the sand over a distance of `cells`; sand is conserved, the ground stays, sinks take no part.
+/// Smooths the surface of the sand over a distance of `cells`; sand is conserved, the ground stays,
+/// sinks take no part.
 pub(super) fn diffuse(terrain: &mut HeightField, field: &Field, cells: f64, torus: bool) -> Result<()> {
     // After n rounds of strength w a point has spread over sqrt(2 n w) cells.
     let rounds = (cells * cells / (2.0 * MOST)).ceil();

@@ -115,7 +115,8 @@ fn pile(rows: usize, cols: usize, slabs: f64) -> HeightField {
     field
 }
 
-/// Height (slabs), width (cells) and place downwind (cells, on the circle) of the one dune of a field.
+/// Height (slabs), width (cells) and place downwind (cells, on the circle) of the one dune of a
+/// field.
 fn barchan(field: &HeightField) -> (f64, f64, f64) {
     let Shape { rows, cols } = field.grid().shape;
     let d = sand(field);
@@ -163,7 +164,8 @@ fn horns_of_a_barchan_point_downwind() {
     let d = sand(&field);
     let cols = 128;
     let (_, _, centre) = barchan(&field);
-    // Mean place downwind of the outer rows of sand against the middle ones, on the circle around the centre.
+    // Mean place downwind of the outer rows of sand against the middle ones, on the circle around
+    // the centre.
     let rows_with: Vec<usize> = (0..96).filter(|r| (0..cols).any(|c| d[r * cols + c] > 0.9)).collect();
     let place = |rows: &[usize]| {
         let (mut sum, mut weight) = (0.0, 0.0);
@@ -274,8 +276,8 @@ fn kohs_dunes_lie_across_any_wind() {
     }
 }
 
-/// Half a wave along x, cells: where a torus' heights are first least alike. It is steadier than the first place where they are
-/// alike again, which `spacing` is.
+/// Half a wave along x, cells: where a torus' heights are first least alike. It is steadier than
+/// the first place where they are alike again, which `spacing` is.
 fn half_wave(field: &HeightField) -> f64 {
     let (z, cols) = (field.elevation(), field.grid().shape.cols);
     let mean = z.iter().sum::<f64>() / z.len() as f64;

@@ -8,11 +8,13 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Keeps a rectangle of the ground and removes the rest. Sides that are cut are open: water leaves over them.
+/// Keeps a rectangle of the ground and removes the rest. Sides that are cut are open: water leaves
+/// over them.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Crop {
-    /// West, south, east and north side, in the coordinates of the ground. If not given, all of the ground is kept.
+    /// West, south, east and north side, in the coordinates of the ground. If not given, all of the
+    /// ground is kept.
     pub region: Option<[Length; 4]>,
 }
 

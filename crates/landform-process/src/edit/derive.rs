@@ -11,8 +11,9 @@ use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Adds fields that follow from the ground as it is now: slope, aspect, curvatures, position above the surroundings, relief,
-/// exposure to sun or wind, spread drainage area. They can be written, drawn, and used as masks.
+/// Adds fields that follow from the ground as it is now: slope, aspect, curvatures, position above
+/// the surroundings, relief, exposure to sun or wind, spread drainage area. They can be written,
+/// drawn, and used as masks.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Derive {

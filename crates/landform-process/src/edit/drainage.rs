@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::mechanism::write_drainage_fields;
 
-/// Routes water over the ground as it is, through lakes over their lowest pass, and adds the fields drainage_area, lake_depth,
-/// receiver and basin. The elevation does not change.
+/// Routes water over the ground as it is, through lakes over their lowest pass, and adds the fields
+/// drainage_area, lake_depth, receiver and basin. The elevation does not change.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Drainage {}

@@ -8,14 +8,16 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Finds rivers, lakes, basins, coasts and contours and keeps them with the landscape: later stages may use them, as in { feature
-/// = "rivers", buffer = "50 m" }. A feature that is found again keeps its id.
+/// Finds rivers, lakes, basins, coasts and contours and keeps them with the landscape: later stages
+/// may use them, as in { feature = "rivers", buffer = "50 m" }. A feature that is found again keeps
+/// its id.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct FindFeatures {
     /// Kinds of features that are found.
     pub features: Vec<FeatureWord>,
-    /// Least drainage area of a river and of a basin. If not given, it is a two-thousandth of the map.
+    /// Least drainage area of a river and of a basin. If not given, it is a two-thousandth of the
+    /// map.
     #[schemars(extend("x-above" = 0.0))]
     pub least_area: Option<Area>,
     /// Least depth of a lake, where it is deepest.
@@ -23,8 +25,8 @@ pub struct FindFeatures {
     pub least_depth: Length,
     /// Sea level, at which rivers end and coasts lie. If not given, it is the environment's.
     pub sea_level: Option<Length>,
-    /// Rainfall from which discharge follows, where the landscape has no field of discharge; all of it runs off. If not given, it
-    /// is the environment's, or else 1 m/yr.
+    /// Rainfall from which discharge follows, where the landscape has no field of discharge; all of
+    /// it runs off. If not given, it is the environment's, or else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Rate>,
     /// Width of a river that carries 1 m3/s, m, where the depth of the water is not known.

@@ -9,8 +9,8 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Adds a mask, a field from 0 to 1: it is 1 within all the given ranges of elevation, slope, direction and position, and is
-/// multiplied by a map. Other stages use it as { field = "mask" }.
+/// Adds a mask, a field from 0 to 1: it is 1 within all the given ranges of elevation, slope,
+/// direction and position, and is multiplied by a map. Other stages use it as { field = "mask" }.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Mask {
@@ -21,7 +21,8 @@ pub struct Mask {
     /// Range of slope, least and greatest.
     #[schemars(extend("x-min" = 0.0, "x-max" = 90.0))]
     pub slope: Option<[Angle; 2]>,
-    /// Range of the compass direction that the ground faces, from the first clockwise to the second.
+    /// Range of the compass direction that the ground faces, from the first clockwise to the
+    /// second.
     pub aspect: Option<[Angle; 2]>,
     /// Range of height above the mean of the surrounding ground: ridges are above 0, valleys below.
     pub position: Option<[Length; 2]>,
@@ -30,7 +31,8 @@ pub struct Mask {
     pub radius: Length,
     /// Map by which the mask is multiplied.
     pub map: Option<Varying<RatioDimension>>,
-    /// Fraction of each range over which the mask rises and falls at its ends. With 0 edges are sharp.
+    /// Fraction of each range over which the mask rises and falls at its ends. With 0 edges are
+    /// sharp.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub softness: f64,
     /// Whether the mask chooses everything else instead.
@@ -143,7 +145,8 @@ mod tests {
     use landform_core::random::Seed;
 
     fn masked(json: &str) -> Vec<f64> {
-        // A roof: the west side rises eastwards to 500 m, the east side falls again, both at 45 degrees.
+        // A roof: the west side rises eastwards to 500 m, the east side falls again, both at 45
+        // degrees.
         let grid = Grid::new(Shape::new(3, 11), [100.0, 100.0]).unwrap();
         let z = (0..33).map(|i| 500.0 - 100.0 * (grid.position(i)[0] / 100.0 - 5.0).abs()).collect();
         let mut terrain = HeightField::new(grid, z).unwrap();

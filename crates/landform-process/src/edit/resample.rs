@@ -7,7 +7,8 @@ use landform_core::verb::{Context, Edit, Estimate, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Puts the same ground on another raster: interpolated where cells shrink, averaged where they grow.
+/// Puts the same ground on another raster: interpolated where cells shrink, averaged where they
+/// grow.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Resample {

@@ -11,7 +11,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SetOutlets {
-    /// The outlets: "border", "valleys", "sea", a list of sides, or a table with `border_where` and `below`, or with `mask`.
+    /// The outlets: "border", "valleys", "sea", a list of sides, or a table with `border_where` and
+    /// `below`, or with `mask`.
     pub outlets: Outlets,
     /// Sea level, for "sea". If not given, it is the environment's, or else 0 m.
     pub sea_level: Option<Length>,

@@ -14,8 +14,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::mechanism::write_drainage_fields;
 
-/// Turns a mesh into a raster, with its fields, linear on every triangle. Drainage area and basins are routed anew, so that
-/// rivers run through the raster's own valleys.
+/// Turns a mesh into a raster, with its fields, linear on every triangle. Drainage area and basins
+/// are routed anew, so that rivers run through the raster's own valleys.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToHeightField {

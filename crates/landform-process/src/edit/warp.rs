@@ -9,8 +9,8 @@ use landform_core::{Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Displaces the ground sideways by noise: straight lines bend and circles become irregular. Beyond the border the ground is
-/// mirrored.
+/// Displaces the ground sideways by noise: straight lines bend and circles become irregular. Beyond
+/// the border the ground is mirrored.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Warp {

@@ -10,13 +10,15 @@ use serde::{Deserialize, Serialize};
 
 use super::{GridParams, Layer, Noise, OnGrid};
 
-/// Blends another surface with the ground: another landscape of the recipe (`with = ["label"]`), or any generator on the
-/// landscape's own raster. It is added or subtracted, replaces the ground, or the higher or lower of the two is kept; everywhere
-/// or within a mask. Where the other landscape has no ground, this one stays as it is.
+/// Blends another surface with the ground: another landscape of the recipe (`with = ["label"]`), or
+/// any generator on the landscape's own raster. It is added or subtracted, replaces the ground, or
+/// the higher or lower of the two is kept; everywhere or within a mask. Where the other landscape
+/// has no ground, this one stays as it is.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Blend {
-    /// The other surface: a generator (`use`) and its parameters, without a grid. If neither it nor `with` is given, it is noise.
+    /// The other surface: a generator (`use`) and its parameters, without a grid. If neither it nor
+    /// `with` is given, it is noise.
     pub layer: Option<Layer>,
     /// How the two are put together.
     pub mode: BlendMode,

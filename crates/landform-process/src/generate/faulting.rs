@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{GridParams, OnGrid};
 
-/// Ground broken by straight faults, each of which lifts one side. Many faults make Brownian ground (H = 1/2), few make blocks.
+/// Ground broken by straight faults, each of which lifts one side. Many faults make Brownian ground
+/// (H = 1/2), few make blocks.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Faulting {

@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::GridParams;
 
-/// Ground in beds of rock that dip to a side, with loose layers such as soil on them. Each bed has its own erodibility and angle
-/// of repose, from which mesas, cuestas and ledges follow.
+/// Ground in beds of rock that dip to a side, with loose layers such as soil on them. Each bed has
+/// its own erodibility and angle of repose, from which mesas, cuestas and ledges follow.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LayeredGround {
@@ -19,10 +19,11 @@ pub struct LayeredGround {
     pub grid: GridParams,
     /// Elevation of the surface, loose layers included; may vary in space.
     pub surface: Varying<LengthDimension>,
-    /// Beds from the top, repeated downwards: { material, thickness }. If none are given, the ground is one rock without beds.
+    /// Beds from the top, repeated downwards: { material, thickness }. If none are given, the
+    /// ground is one rock without beds.
     pub beds: Vec<BedParams>,
-    /// Elevation of the upper face of the first bed, before it dips about the middle of the map. If not given, it is the highest
-    /// ground. Beds are folded where it varies in space.
+    /// Elevation of the upper face of the first bed, before it dips about the middle of the map. If
+    /// not given, it is the highest ground. Beds are folded where it varies in space.
     pub top: Option<Varying<LengthDimension>>,
     /// Angle by which beds dip.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
@@ -169,8 +170,9 @@ mod tests {
         let layers = terrain.layers().unwrap();
         assert_eq!(layers.depth("soil").unwrap()[5 * 11 + 10], 2.0);
         assert_eq!(layers.surface(5 * 11 + 10, 500.0).name, "soil");
-        // 500 m from the middle the first bed's top lies 500 tan 10° = 88 m lower in the east and higher in the west. In the east
-        // the sequence, 101.5 m thick straight down, repeats above it: sandstone, then shale down to that top.
+        // 500 m from the middle the first bed's top lies 500 tan 10° = 88 m lower in the east and
+        // higher in the west. In the east the sequence, 101.5 m thick straight down, repeats above
+        // it: sandstone, then shale down to that top.
         let rock =
             |node: usize| layers.column(node, 500.0).filter(|s| s.material.name != "soil").take(2).collect::<Vec<_>>();
         let (east, west) = (rock(5 * 11 + 10), rock(5 * 11));

@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{GridParams, OnGrid};
 
-/// Fractal ground by random midpoint displacement: a few coarse heights are refined again and again with smaller random offsets.
+/// Fractal ground by random midpoint displacement: a few coarse heights are refined again and again
+/// with smaller random offsets.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MidpointDisplacement {
@@ -20,15 +21,16 @@ pub struct MidpointDisplacement {
     pub elevation: Length,
     /// How the lattice is refined.
     pub subdivision: Subdivision,
-    /// Coarse heights, row by row from the north-west, all rows of the same length, at least 2 x 2, spread over the extent. Nodes
-    /// of the raster lie on the refined lattice where the number of cells along each side is that of the coarse ones times a
-    /// power of two. Otherwise they lie between its nodes.
+    /// Coarse heights, row by row from the north-west, all rows of the same length, at least 2 x 2,
+    /// spread over the extent. Nodes of the raster lie on the refined lattice where the number of
+    /// cells along each side is that of the coarse ones times a power of two. Otherwise they lie
+    /// between its nodes.
     pub coarse: Vec<Vec<Length>>,
-    /// Whether the coarse heights stay fixed while four_eight smooths the ground between them. With diamond_square they always
-    /// stay fixed.
+    /// Whether the coarse heights stay fixed while four_eight smooths the ground between them. With
+    /// diamond_square they always stay fixed.
     pub hold: bool,
-    /// Standard deviation of the first offsets; each halving of the distance makes it 2^-H times as large. With 0 only the
-    /// refinement itself is seen.
+    /// Standard deviation of the first offsets; each halving of the distance makes it 2^-H times as
+    /// large. With 0 only the refinement itself is seen.
     #[schemars(extend("x-min" = 0.0))]
     pub offset: Length,
     /// Hurst exponent: 1 is smooth, 0 is rough.

@@ -58,7 +58,8 @@ landform_core::stages! {
     edit Blend where HeightField;
 }
 
-/// A generator that can make its surface on any grid: as ground of its own, or as a layer of [`Blend`].
+/// A generator that can make its surface on any grid: as ground of its own, or as a layer of
+/// [`Blend`].
 pub(crate) trait OnGrid: Params {
     /// Extent and distance between nodes when it stands alone.
     fn grid(&self) -> &GridParams;

@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{GridParams, OnGrid};
 
-/// Ground from octaves of noise. Wavelengths are in metres: finer cells add detail and do not move the ground.
+/// Ground from octaves of noise. Wavelengths are in metres: finer cells add detail and do not move
+/// the ground.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Noise {
@@ -18,17 +19,19 @@ pub struct Noise {
     pub grid: GridParams,
     /// Elevation at noise of 0: the mean of plain sums.
     pub elevation: Length,
-    /// Height of noise of 1 above that elevation. Plain sums rarely reach half of it; billows lie below, ridges above,
-    /// multifractals may exceed it.
+    /// Height of noise of 1 above that elevation. Plain sums rarely reach half of it; billows lie
+    /// below, ridges above, multifractals may exceed it.
     #[schemars(extend("x-min" = 0.0))]
     pub amplitude: Length,
     /// Length of the coarsest waves.
     #[schemars(extend("x-above" = 0.0))]
     pub wavelength: Length,
-    /// Number of octaves, each finer than the one before by the lacunarity; octaves below two cells are left out.
+    /// Number of octaves, each finer than the one before by the lacunarity; octaves below two cells
+    /// are left out.
     #[schemars(extend("x-min" = 1, "x-max" = 24))]
     pub octaves: u32,
-    /// Hurst exponent: each octave is lacunarity^-H times as high as the one before. 1 is smooth, 0 is rough.
+    /// Hurst exponent: each octave is lacunarity^-H times as high as the one before. 1 is smooth, 0
+    /// is rough.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub hurst: f64,
     /// Factor by which the waves of each octave are shorter than those of the one before.
@@ -38,7 +41,8 @@ pub struct Noise {
     pub basis: Basis,
     /// How octaves are put together.
     pub fractal: FractalKind,
-    /// Distance by which the ground is displaced sideways by noise of the same waves, which winds ridges and valleys.
+    /// Distance by which the ground is displaced sideways by noise of the same waves, which winds
+    /// ridges and valleys.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e7))]
     pub warp: Length,
 }

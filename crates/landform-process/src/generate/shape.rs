@@ -21,7 +21,8 @@ pub struct Shape {
     pub low: Length,
     /// Highest elevation.
     pub high: Length,
-    /// Ramp, steps and folds: compass direction in which the ground rises, or across which it is folded.
+    /// Ramp, steps and folds: compass direction in which the ground rises, or across which it is
+    /// folded.
     pub direction: Angle,
     /// Folds: distance from crest to crest.
     #[schemars(extend("x-above" = 0.0))]
@@ -77,7 +78,8 @@ impl Params for Shape {
 }
 
 impl Shape {
-    /// Height from 0 to 1 at a position relative to the middle, in halves of the extent (`u`, `v`) and in m.
+    /// Height from 0 to 1 at a position relative to the middle, in halves of the extent (`u`, `v`)
+    /// and in m.
     fn at(&self, [u, v]: [f64; 2], [x, y]: [f64; 2], half: [f64; 2]) -> f64 {
         let (sx, sy) = (math::sin(self.direction.si()), math::cos(self.direction.si()));
         let along = x * sx + y * sy;

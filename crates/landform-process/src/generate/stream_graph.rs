@@ -1,8 +1,9 @@
 //! An irregular mesh for rivers: Poisson-disk nodes, Delaunay links, Voronoi areas.
 //!
 //! # Sources
-//! Bell (thesis), chapter 3. We differ in the start: independent uniform jitter instead of the absolute value of gradient
-//! noise, which is zero on its lattice and so makes a regular array of pits (validation notes 3.3).
+//! Bell (thesis), chapter 3. We differ in the start: independent uniform jitter instead of the
+//! absolute value of gradient noise, which is zero on its lattice and so makes a regular array of
+//! pits (validation notes 3.3).
 
 use landform_core::algo::sampling::{poisson_disk, spacing_for_count};
 use landform_core::grid::{Edge, Edges, Side};

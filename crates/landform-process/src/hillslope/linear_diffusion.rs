@@ -6,18 +6,21 @@
 //! ∂z/∂t = ∇·(D ∇z), with z held at base levels and no flux across closed sides and around holes.
 //!
 //! # Method
-//! Finite volumes over the graph: on a raster the five-point stencil, on a mesh Voronoi faces; D at a face is the mean of
-//! its ends. Backward Euler, first order in time, second in space, stable and without overshoot for any Δt. Solved for the
-//! change of elevation, to 1e-12 of the greatest: on a raster by over-relaxation in two colours ([`super::implicit`]), on a mesh by conjugate
-//! gradients with diagonal scaling; a few sweeps while D Δt is below a cell's area, growing with the square root of
-//! D Δt over it. Where nodes stand off the centres of their cells, creep acts on the heights at the centres.
+//! Finite volumes over the graph: on a raster the five-point stencil, on a mesh Voronoi faces; D at
+//! a face is the mean of its ends. Backward Euler, first order in time, second in space, stable and
+//! without overshoot for any Δt. Solved for the change of elevation, to 1e-12 of the greatest: on a
+//! raster by over-relaxation in two colours ([`super::implicit`]), on a mesh by conjugate gradients
+//! with diagonal scaling; a few sweeps while D Δt is below a cell's area, growing with the square
+//! root of D Δt over it. Where nodes stand off the centres of their cells, creep acts on the
+//! heights at the centres.
 //!
 //! # Limits
-//! All ground creeps alike, rock too. On layered ground the deposit is soil. On a mesh faces of obtuse border triangles are
-//! dropped where their conductance is negative.
+//! All ground creeps alike, rock too. On layered ground the deposit is soil. On a mesh faces of
+//! obtuse border triangles are dropped where their conductance is negative.
 //!
 //! # Sources
-//! Culling (1960); Young (1954) and Golub & Varga (1961) on rasters, Hestenes & Stiefel (1952) on meshes.
+//! Culling (1960); Young (1954) and Golub & Varga (1961) on rasters, Hestenes & Stiefel (1952) on
+//! meshes.
 //!
 //! # Checked by
 //! `tests`: the parabola of uplift and creep (VP5), decay of a sine, mass, mesh against raster.

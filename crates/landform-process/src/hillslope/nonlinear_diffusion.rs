@@ -1,18 +1,21 @@
 //! Creep that grows without limit towards a critical slope.
 //!
-//! Crests are round, hillsides below them nearly straight: where slopes are steep, material slides rather than creeps.
+//! Crests are round, hillsides below them nearly straight: where slopes are steep, material slides
+//! rather than creeps.
 //!
 //! # Model
-//! ∂z/∂t = ∇·(D ∇z/(1 − (S/S_c)²)), with z held at base levels and no flux across closed sides and around holes. Beyond 0.97 S_c
-//! the flux goes on along its tangent.
+//! ∂z/∂t = ∇·(D ∇z/(1 − (S/S_c)²)), with z held at base levels and no flux across closed sides and
+//! around holes. Beyond 0.97 S_c the flux goes on along its tangent.
 //!
 //! # Method
-//! Backward Euler by Newton's iteration: fluxes over the four faces of a cell with the whole gradient there, their derivative by the
-//! slope normal to the face; each linear system as for linear creep ([`super::implicit`]), until no node moves by 0.1 mm. Volumes follow
-//! from the fluxes of the last iteration. **Cost** a few linear systems a step.
+//! Backward Euler by Newton's iteration: fluxes over the four faces of a cell with the whole
+//! gradient there, their derivative by the slope normal to the face; each linear system as for
+//! linear creep ([`super::implicit`]), until no node moves by 0.1 mm. Volumes follow from the
+//! fluxes of the last iteration. **Cost** a few linear systems a step.
 //!
 //! # Limits
-//! Rasters whose sides do not wrap. All ground creeps alike, rock too. On layered ground the deposit is soil.
+//! Rasters whose sides do not wrap. All ground creeps alike, rock too. On layered ground the
+//! deposit is soil.
 //!
 //! # Sources
 //! Roering, Kirchner & Dietrich (1999), eq. 8; Perron (2011) for implicit steps.
@@ -36,7 +39,8 @@ const MAX_ITERATIONS: usize = 80;
 /// Greatest change of an iteration that ends them, m.
 const TOLERANCE: f64 = 1e-4;
 
-/// Nonlinear creep: ground moves downhill the faster the nearer its slope comes to a critical one. Round crests, straight hillsides.
+/// Nonlinear creep: ground moves downhill the faster the nearer its slope comes to a critical one.
+/// Round crests, straight hillsides.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct NonlinearDiffusion {
@@ -182,7 +186,8 @@ impl Fluxes<'_> {
         })
     }
 
-    /// The face between two nodes with the slope normal to it and tangential to it; its width and the distance.
+    /// The face between two nodes with the slope normal to it and tangential to it; its width and
+    /// the distance.
     fn face(
         &self,
         faces: &mut Faces,
@@ -234,7 +239,8 @@ mod tests {
 
     #[test]
     fn uplift_and_creep_go_from_a_parabola_to_a_plane() {
-        // Roering et al. (1999): D S/(1 − (S/S_c)²) = U x from the crest, so S/S_c = (√(1 + 4a²) − 1)/(2a), a = U x/(D S_c).
+        // Roering et al. (1999): D S/(1 − (S/S_c)²) = U x from the crest, so S/S_c = (√(1 + 4a²) −
+        // 1)/(2a), a = U x/(D S_c).
         let (n, dx, critical) = (201, 2.0, 0.8);
         let (uplift, diffusivity) = (0.2e-3 / YEAR, 0.01 / YEAR);
         let creep = NonlinearDiffusion { diffusivity: Diffusivity::of(0.01).into(), critical_slope: critical };

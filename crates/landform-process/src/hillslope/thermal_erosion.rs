@@ -1,12 +1,12 @@
 //! Slip of loose slopes.
 //!
 //! # Model
-//! Where a slope is steeper than the talus angle, the excess drop moves down: flux = c (z_i − z_j − d tan α) between neighbours,
-//! with c = 1/8 a round, so that it never overshoots.
+//! Where a slope is steeper than the talus angle, the excess drop moves down: flux = c (z_i − z_j −
+//! d tan α) between neighbours, with c = 1/8 a round, so that it never overshoots.
 //!
 //! # Method
-//! All neighbours at once; what one node loses, another gains. On layered ground the material that comes to rest is gravel.
-//! **Cost** 20 ns a node and round.
+//! All neighbours at once; what one node loses, another gains. On layered ground the material that
+//! comes to rest is gravel. **Cost** 20 ns a node and round.
 //!
 //! # Sources
 //! Musgrave, Kolb & Mace (1989), thermal weathering.
@@ -29,13 +29,13 @@ const DEFAULT_ANGLE: f64 = 34.0;
 /// 85 degrees.
 const STEEPEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
 
-/// Thermal erosion: loose ground slips where it is steeper than its talus angle, and comes to rest below. Runs without a clock,
-/// or beside other processes with one round a step.
+/// Thermal erosion: loose ground slips where it is steeper than its talus angle, and comes to rest
+/// below. Runs without a clock, or beside other processes with one round a step.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ThermalErosion {
-    /// Steepest slope that the ground stands at; may vary in space. If not given, it is the angle of repose of the uppermost
-    /// material on layered ground, and 34 deg on other ground.
+    /// Steepest slope that the ground stands at; may vary in space. If not given, it is the angle
+    /// of repose of the uppermost material on layered ground, and 34 deg on other ground.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Option<Varying<AngleDimension>>,
     /// Number of rounds, if there is no clock.
@@ -97,7 +97,8 @@ impl<T: NodeSurface> Process<T> for ThermalErosion {
             (None, None) => Angle::of(DEFAULT_ANGLE).si(),
         };
         let steepest = parallel::map(z.len(), |i| math::tan(angle(i)));
-        // What moves from `i` to `j`, as a height on a node of mean size; the angle is that of the ground that slips.
+        // What moves from `i` to `j`, as a height on a node of mean size; the angle is that of the
+        // ground that slips.
         let least =
             (0..z.len()).filter(|&i| status[i] != Status::Masked).map(|i| domain.area(i)).fold(f64::INFINITY, f64::min);
         let moves = |i: usize, j: usize, distance: f64| PART * least * (z[i] - z[j] - distance * steepest[i]).max(0.0);

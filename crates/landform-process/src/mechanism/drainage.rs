@@ -7,8 +7,8 @@ use landform_core::grid::{Domain, Status};
 use landform_core::terrain::NodeSurface;
 use landform_core::{Result, math, parallel};
 
-/// Routes flow over the terrain as it is and adds drainage area, lake depth, receiver and basin as fields. With a sea, water at
-/// its level that is not connected to it is a lake.
+/// Routes flow over the terrain as it is and adds drainage area, lake depth, receiver and basin as
+/// fields. With a sea, water at its level that is not connected to it is a lake.
 pub fn write_drainage_fields<T: NodeSurface>(
     terrain: &mut T,
     domain: &T::Domain,
@@ -40,8 +40,8 @@ pub fn write_drainage_fields<T: NodeSurface>(
 /// Area that χ refers to, m².
 const CHI_AREA: f64 = 1e6;
 
-/// Adds the slope along the flow and χ as fields; `flow` is as [`write_drainage_fields`] left it. Sources: Perron & Royden (2013)
-/// for χ.
+/// Adds the slope along the flow and χ as fields; `flow` is as [`write_drainage_fields`] left it.
+/// Sources: Perron & Royden (2013) for χ.
 pub fn write_channel_steepness_fields<T: NodeSurface>(
     terrain: &mut T,
     domain: &T::Domain,

@@ -4,8 +4,8 @@ use landform_core::grid::Grid;
 use landform_core::units::Length;
 use landform_core::{Error, Result, math};
 
-/// Refuses a radius beyond the diagonal of a map: the nodes that an event reaches are listed once, and the list would not fit in
-/// memory.
+/// Refuses a radius beyond the diagonal of a map: the nodes that an event reaches are listed once,
+/// and the list would not fit in memory.
 ///
 /// # Errors
 /// [`Error::Parameter`], which names the diagonal, if the radius is longer than it.

@@ -1,9 +1,10 @@
 //! Wind over a raster: lines swept downwind.
 //!
 //! # Method
-//! Rows (or columns, whichever the wind crosses more squarely) are visited in the order in which the wind reaches them. A node
-//! takes the value of the point upwind of it on the line before, linear between the two nodes beside that point. On a torus the
-//! sweep starts as many lines before the seam as a shadow reaches.
+//! Rows (or columns, whichever the wind crosses more squarely) are visited in the order in which
+//! the wind reaches them. A node takes the value of the point upwind of it on the line before,
+//! linear between the two nodes beside that point. On a torus the sweep starts as many lines before
+//! the seam as a shadow reaches.
 
 use landform_core::grid::Shape;
 use landform_core::parallel;
@@ -17,7 +18,8 @@ pub struct WindScan {
     by_cols: bool,
     /// Whether lines are visited from the last to the first.
     backwards: bool,
-    /// How far the wind drifts along a line while it crosses from one to the next, nodes, -1 to 1 for square cells.
+    /// How far the wind drifts along a line while it crosses from one to the next, nodes, -1 to 1
+    /// for square cells.
     drift: f64,
     /// Distance that the wind travels from line to line, m.
     pub line_spacing: f64,
@@ -57,9 +59,10 @@ impl WindScan {
         self.drift
     }
 
-    /// Height of the air that the ground upwind shelters, for every node: the highest of upwind ground less `drop` for every line
-    /// that the wind has crossed since, and no lower than the ground itself. A node lies in shadow where this is above its
-    /// ground. NaN ground casts no shadow. **Cost** O(n), a few ns a node.
+    /// Height of the air that the ground upwind shelters, for every node: the highest of upwind
+    /// ground less `drop` for every line that the wind has crossed since, and no lower than the
+    /// ground itself. A node lies in shadow where this is above its ground. NaN ground casts no
+    /// shadow. **Cost** O(n), a few ns a node.
     pub fn shelter(&self, height: impl Fn(usize) -> f32 + Sync, drop: f32, scratch: &mut Vec<f32>, out: &mut [f32]) {
         let (lines, length) = self.scan_lines();
         // Heights with lines one after the other, so that sweeping reads memory as it lies.

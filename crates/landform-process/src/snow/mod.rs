@@ -1,29 +1,34 @@
 //! Snow.
 //!
 //! # Model
-//! A winter is a series of storms. In each, snow falls: in full above the snow line, less below it, none a band further down.
-//! Snowfall grows with height. Wind takes up snow until it carries as much as its strength allows, and deposits it where it
-//! slackens, in the lee of ridges and in hollows. Snow that its slope cannot hold slides: the steeper the slope, the less stays.
-//! It comes to rest where the ground levels out.
+//! A winter is a series of storms. In each, snow falls: in full above the snow line, less below it,
+//! none a band further down. Snowfall grows with height. Wind takes up snow until it carries as
+//! much as its strength allows, and deposits it where it slackens, in the lee of ridges and in
+//! hollows. Snow that its slope cannot hold slides: the steeper the slope, the less stays. It comes
+//! to rest where the ground levels out.
 //!
 //! # Method
-//! Strength of the wind from the shelter of the ground upwind (a shadow at 15 degrees) and from its slope along the wind, swept
-//! downwind with what it carries; what a line passes on is split between the two nodes beside where it arrives, so snow is
-//! conserved to rounding. Slides visit nodes from the highest surface down, once a storm; snow that does not hold goes to lower
+//! Strength of the wind from the shelter of the ground upwind (a shadow at 15 degrees) and from its
+//! slope along the wind, swept downwind with what it carries; what a line passes on is split
+//! between the two nodes beside where it arrives, so snow is conserved to rounding. Slides visit
+//! nodes from the highest surface down, once a storm; snow that does not hold goes to lower
 //! neighbours in proportion to slope. **Cost** O(n log n) a storm.
 //!
 //! # Limits
-//! Snow is one depth of one density; elevation and volumes count its surface. Rounds are storms and have no length in time: with
-//! a clock, each step is a storm. Snow that falls on the sea does not melt. Wind from beyond the map comes loaded: what drifts in
-//! over the sides and out is booked, and the map may gain (0.12 % in the gallery's recipe).
+//! Snow is one depth of one density; elevation and volumes count its surface. Rounds are storms and
+//! have no length in time: with a clock, each step is a storm. Snow that falls on the sea does not
+//! melt. Wind from beyond the map comes loaded: what drifts in over the sides and out is booked,
+//! and the map may gain (0.12 % in the gallery's recipe).
 //!
 //! # Sources
-//! Bernhardt & Schulz (2010), SnowSlide, for holding depths that fall with slope; Winstral, Elder & Davis (2002) for shelter by
-//! upwind ground; Koh (2002), 2.3, who planned all this. How repose depends on wetness is ours: fresh dry snow holds to 38
-//! degrees, moist snow sticks to 50, soaked snow runs at 20.
+//! Bernhardt & Schulz (2010), SnowSlide, for holding depths that fall with slope; Winstral, Elder &
+//! Davis (2002) for shelter by upwind ground; Koh (2002), 2.3, who planned all this. How repose
+//! depends on wetness is ours: fresh dry snow holds to 38 degrees, moist snow sticks to 50, soaked
+//! snow runs at 20.
 //!
 //! # Checked by
-//! `tests`: mass, level plains stay level, less on steeper ground, lee against windward, spread of depths.
+//! `tests`: mass, level plains stay level, less on steeper ground, lee against windward, spread of
+//! depths.
 //!
 //! # Example
 //! Two of the winter's twenty storms bring a tenth of its 3 m to a level plain at the snow line:
@@ -66,8 +71,8 @@ landform_core::stages! {
     process Snow where HeightField;
 }
 
-/// A winter's snow: it grows with height, drifts with the wind and slides off steep ground. Its depth is a layer on the ground.
-/// Runs without a clock; one round is a storm.
+/// A winter's snow: it grows with height, drifts with the wind and slides off steep ground. Its
+/// depth is a layer on the ground. Runs without a clock; one round is a storm.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Snow {
@@ -77,8 +82,8 @@ pub struct Snow {
     /// Number of storms that bring it.
     #[schemars(extend("x-min" = 1, "x-max" = 10000))]
     pub iterations: u64,
-    /// Elevation above which all precipitation is snow. If not given, it is the elevation at which the environment's temperature
-    /// is 0 degrees Celsius, or else 0 m.
+    /// Elevation above which all precipitation is snow. If not given, it is the elevation at which
+    /// the environment's temperature is 0 degrees Celsius, or else 0 m.
     pub snow_line: Option<Length>,
     /// Height below the snow line at which no snow falls any more.
     #[schemars(extend("x-min" = 0.0))]
@@ -191,7 +196,8 @@ impl Process<HeightField> for Snow {
         let lost = sum(&|i| (before[i] + fallen[i] - depth[i]).max(0.0));
         let supplied = sum(&|i| fallen[i]);
         terrain.change_depth(SNOW, &depth)?;
-        // Volume changes by supplied + deposited - eroded, and what was taken up was laid down or left.
+        // Volume changes by supplied + deposited - eroded, and what was taken up was laid down or
+        // left.
         let exported = (melted + blown) * area;
         let moved = lost.max(exported);
         Ok(Change { supplied, eroded: moved, deposited: moved - exported, exported, ..Change::default() })
@@ -261,7 +267,8 @@ impl Snow {
             let along = g.x * towards[0] + g.y * towards[1];
             if along.is_nan() { 0.0 } else { along }
         });
-        // 1 in the open; faster up a slope that faces the wind, slower down one that turns from it, and little in shelter.
+        // 1 in the open; faster up a slope that faces the wind, slower down one that turns from it,
+        // and little in shelter.
         let strength = |i: usize| {
             let hidden = (f64::from(shelter[i]) - surface[i]).max(0.0);
             let open = math::exp(-hidden / 4.0);
@@ -273,8 +280,8 @@ impl Snow {
         let (lines, length) = sweep.scan_lines();
         let (mut load, mut next) = (vec![0.0; length], vec![0.0; length]);
         let mut left = 0.0;
-        // How much of what arrives at a node came from nodes of the map; the rest is wind from beyond, which has its load
-        // already.
+        // How much of what arrives at a node came from nodes of the map; the rest is wind from
+        // beyond, which has its load already.
         let (mut known, mut next_known) = (vec![0.0; length], vec![0.0; length]);
         for line in 0..lines {
             next.fill(0.0);
@@ -345,7 +352,8 @@ fn slide(grid: &Grid, ground: &[f64], depth: &mut [f64], holds: f64) {
     }
 }
 
-/// Depth that a slope holds, m: anything well below the angle, a metre at it, next to nothing 15 degrees above.
+/// Depth that a slope holds, m: anything well below the angle, a metre at it, next to nothing 15
+/// degrees above.
 fn holding_depth(slope: f64, holds: f64) -> f64 {
     let over = (math::atan(slope) - holds).to_degrees();
     if over < -12.0 { f64::INFINITY } else { math::exp(-0.35 * over) }

@@ -9,8 +9,8 @@ use landform_core::grid::Domain;
 use super::law::Law;
 use super::rock::Rock;
 
-/// Lowers every node towards its receiver, from the outlets upwards. `area` is drainage area; where a node has a receiver, it
-/// becomes what the node was lowered by, m.
+/// Lowers every node towards its receiver, from the outlets upwards. `area` is drainage area; where
+/// a node has a receiver, it becomes what the node was lowered by, m.
 pub(super) fn sweep<D: Domain>(domain: &D, flow: &Flow, law: &Law, rock: &Rock, area: &mut [f64], z: &mut [f64]) {
     let slots = flow.slots();
     flow.up_with(z, area, |i, old, below, area| {
@@ -20,7 +20,8 @@ pub(super) fn sweep<D: Domain>(domain: &D, flow: &Flow, law: &Law, rock: &Rock, 
         if !(old > base) {
             return old;
         }
-        // Roots and divisions overlap with the wait for memory: a pass of their own would cost more, even on two threads.
+        // Roots and divisions overlap with the wait for memory: a pass of their own would cost
+        // more, even on two threads.
         let (length, erodibility) = (domain.distance(i, slots[i]), rock.erodibility.at(i));
         let strength = law.strength(erodibility, through, length);
         // The threshold reduces the rate of lowering.

@@ -1,8 +1,10 @@
-//! The law of one step at one node: the drop that the river leaves, and the drop at which the slope is stable.
+//! The law of one step at one node: the drop that the river leaves, and the drop at which the slope
+//! is stable.
 //!
 //! # Sources
-//! Braun & Willett (2013): eq. 22 for n = 1, eqs. 23–24 (Newton) otherwise. Bell (thesis), eq. 3.7, for the talus slope: the
-//! thesis' text is a rate law, used here where a rate is given (implicitly, after the river's part); its code is a clamp.
+//! Braun & Willett (2013): eq. 22 for n = 1, eqs. 23–24 (Newton) otherwise. Bell (thesis), eq. 3.7,
+//! for the talus slope: the thesis' text is a rate law, used here where a rate is given
+//! (implicitly, after the river's part); its code is a clamp.
 
 use landform_core::math;
 
@@ -12,7 +14,8 @@ pub(super) struct Law {
     pub(super) slope_exponent: f64,
     /// Tangent of the talus angle.
     pub(super) greatest_slope: f64,
-    /// Talus relaxation: lowering (m) in the step per unit of slope above the talus slope; infinite for a clamp.
+    /// Talus relaxation: lowering (m) in the step per unit of slope above the talus slope; infinite
+    /// for a clamp.
     pub(super) relaxation: f64,
     /// Slope that ground approaches and does not exceed; infinite for none.
     pub(super) limiting_slope: f64,
@@ -30,15 +33,16 @@ pub(super) struct Law {
 }
 
 impl Law {
-    /// F of the erosion F (z − z_r)ⁿ in the step at a node with drainage area `area`, `length` from its receiver.
+    /// F of the erosion F (z − z_r)ⁿ in the step at a node with drainage area `area`, `length` from
+    /// its receiver.
     #[inline]
     pub(super) fn strength(&self, erodibility: f64, area: f64, length: f64) -> f64 {
         let strength = erodibility * self.dt * math::pow(area.max(self.least_area), self.area_exponent);
         strength / if self.slope_exponent == 1.0 { length } else { math::pow(length, self.slope_exponent) }
     }
 
-    /// The drop from a node to its receiver that erosion leaves of `drop`, where ground cannot stand `most` above: the root x of
-    /// x + F xⁿ/(1 − x/most) = drop.
+    /// The drop from a node to its receiver that erosion leaves of `drop`, where ground cannot
+    /// stand `most` above: the root x of x + F xⁿ/(1 − x/most) = drop.
     #[inline]
     pub(super) fn worn(&self, drop: f64, strength: f64, most: f64) -> f64 {
         match (self.slope_exponent == 1.0, most.is_finite()) {
@@ -52,7 +56,8 @@ impl Law {
         }
     }
 
-    /// Slope and intercept of the tangent of the erosion F xⁿ/(1 − x/most) at a drop x; `per_most` is one over `most`.
+    /// Slope and intercept of the tangent of the erosion F xⁿ/(1 − x/most) at a drop x; `per_most`
+    /// is one over `most`.
     #[inline]
     pub(super) fn tangent(&self, strength: f64, x: f64, per_most: f64) -> [f64; 2] {
         let n = self.slope_exponent;
@@ -82,8 +87,8 @@ impl Law {
         self.slope_exponent != 1.0 || self.has_limit()
     }
 
-    /// The drop over `length` that is left where ground stands up to `limit` above the receiver, and whether this limit, not the
-    /// river, decides.
+    /// The drop over `length` that is left where ground stands up to `limit` above the receiver,
+    /// and whether this limit, not the river, decides.
     #[inline]
     pub(super) fn standing(&self, worn: f64, limit: f64, length: f64) -> (f64, bool) {
         if worn > limit { (worn + (limit - worn) * self.slide(length), true) } else { (worn, false) }
@@ -96,7 +101,8 @@ impl Law {
     }
 }
 
-/// The root x in [0, h] of x + f xⁿ/(1 − x/most) = h: Newton's iteration, bisecting where it would leave the bracket.
+/// The root x in [0, h] of x + f xⁿ/(1 − x/most) = h: Newton's iteration, bisecting where it would
+/// leave the bracket.
 fn newton(h: f64, f: f64, n: f64, most: f64) -> f64 {
     if f == 0.0 {
         return h;

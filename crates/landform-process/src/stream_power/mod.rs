@@ -1,12 +1,13 @@
 //! Stream-power erosion and deposition.
 //!
-//! Rivers lower their beds at a rate set by drainage area and slope, and may deposit the sediment that they carry. Hillslopes
-//! cannot stand steeper than the talus angle.
+//! Rivers lower their beds at a rate set by drainage area and slope, and may deposit the sediment
+//! that they carry. Hillslopes cannot stand steeper than the talus angle.
 //!
 //! # Model
-//! ∂z/∂t = −K Aᵐ Sⁿ/(1 − S/S_d) + (G/A) Q, with S the slope to the receiver and Q the sediment flux; base levels are held. Where
-//! S ≪ S_d it is the law of rivers; steep heads of valleys approach S_d and stay gullies, rather than planes of one angle. With it
-//! A is at least 5,000 m², so that slopes do not grow as cells shrink.
+//! ∂z/∂t = −K Aᵐ Sⁿ/(1 − S/S_d) + (G/A) Q, with S the slope to the receiver and Q the sediment
+//! flux; base levels are held. Where S ≪ S_d it is the law of rivers; steep heads of valleys
+//! approach S_d and stay gullies, rather than planes of one angle. With it A is at least 5,000 m²,
+//! so that slopes do not grow as cells shrink.
 //!
 //! | symbol | here | unit | meaning |
 //! |---|---|---|---|
@@ -18,41 +19,47 @@
 //! | α | `talus_angle` | rad | steepest stable slope |
 //!
 //! # Method
-//! Receivers, lakes through their passes, order and area by [`Flow`], over the surface at
-//! the start of the step: uplift of a long step, with base levels held, would bend the flow near them. Base levels are put
-//! back to their elevation; then from the outlets upwards z ← (z + f z_r)/(1 + f), f = K Δt Aᵐ/L, with the
-//! receiver's *new* elevation (n = 1; a guarded Newton iteration otherwise), and z ≤ z_r + L tan α. First order in time and
-//! space, stable for any Δt, O(n). Ground under a lake's surface, which stands at or below its receiver, is left alone.
-//! With deposition, one linear system on the tree of rivers ([`yuan_2019`]).
+//! Receivers, lakes through their passes, order and area by [`Flow`], over the surface at the start
+//! of the step: uplift of a long step, with base levels held, would bend the flow near them. Base
+//! levels are put back to their elevation; then from the outlets upwards z ← (z + f z_r)/(1 + f),
+//! f = K Δt Aᵐ/L, with the receiver's *new* elevation (n = 1; a guarded Newton iteration
+//! otherwise), and z ≤ z_r + L tan α. First order in time and space, stable for any Δt, O(n).
+//! Ground under a lake's surface, which stands at or below its receiver, is left alone. With
+//! deposition, one linear system on the tree of rivers ([`yuan_2019`]).
 //!
-//! With a limiting slope the step at a node is the root of a quadratic for n = 1: x + f x/(1 − x/(S_d L)) = drop.
+//! With a limiting slope the step at a node is the root of a quadratic for n = 1: x + f x/(1 −
+//! x/(S_d L)) = drop.
 //!
 //! Nodes of a raster stand off the centres of their cells while a recipe runs ([`Lattice`]).
 //!
-//! On layered ground a step wears through strata one after the other, each with its own erodibility, and slopes stand at the
-//! angle of repose of each stratum ([`rock`]): resistant beds become ledges and caps.
+//! On layered ground a step wears through strata one after the other, each with its own
+//! erodibility, and slopes stand at the angle of repose of each stratum ([`rock`]): resistant beds
+//! become ledges and caps.
 //!
-//! With outlets "sea" every node at or under sea level at the start of a step is an outlet in that step. Such a node is not held,
-//! so that uplift and subsidence move the shore. Rivers end at the surface of the water, not at its floor.
+//! With outlets "sea" every node at or under sea level at the start of a step is an outlet in that
+//! step. Such a node is not held, so that uplift and subsidence move the shore. Rivers end at the
+//! surface of the water, not at its floor.
 //!
 //! # Limits
-//! Each node has one receiver (only drainage area can be shared). Sediment that reaches the sea or the border leaves the domain.
-//! On a regular raster drainage area follows eight directions.
+//! Each node has one receiver (only drainage area can be shared). Sediment that reaches the sea or
+//! the border leaves the domain. On a regular raster drainage area follows eight directions.
 //!
 //! # Sources
-//! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Yuan et al. (2019) for deposition; Stock &
-//! Dietrich (2003) and McGuire et al. (2023) for the form of valleys where debris flows, which the limiting slope gives at a
-//! steady state, S = S_d/(1 + (K S_d/U) Aᵐ); Bell
-//! (2024), eqs. 3.5–3.7 and algorithm 8 for rainfall, which we measure in 1 m/yr. The thesis' listing updates children from the receiver's old elevation, which is not the scheme that
+//! Braun & Willett (2013), eqs. 12–16 and 22–24; Cordonnier et al. (2019) for lakes; Yuan et al.
+//! (2019) for deposition; Stock & Dietrich (2003) and McGuire et al. (2023) for the form of valleys
+//! where debris flows, which the limiting slope gives at a steady state, S = S_d/(1 + (K S_d/U)
+//! Aᵐ); Bell (2024), eqs. 3.5–3.7 and algorithm 8 for rainfall, which we measure in 1 m/yr. The
+//! thesis' listing updates children from the receiver's old elevation, which is not the scheme that
 //! it states (validation notes 3.3).
 //!
 //! # Checked by
-//! `tests`: slope–area at every node (SP1, SP2), χ-linearity (SP3), the river of Hack's law (SP4), knickpoints (SP5), z ∝ U/K
-//! (SP6, SP7), one long step = steady state (SP8), order in time (SP9), rescaling (SP10), mass (SP11), (1 + G), the sea.
+//! `tests`: slope–area at every node (SP1, SP2), χ-linearity (SP3), the river of Hack's law (SP4),
+//! knickpoints (SP5), z ∝ U/K (SP6, SP7), one long step = steady state (SP8), order in time (SP9),
+//! rescaling (SP10), mass (SP11), (1 + G), the sea.
 //!
 //! # Example
-//! On a ramp that falls to the east every row is a river. At the steady state S √A = U/K. Here U/K is 1 mm/yr over 1e-5 1/yr:
-//! 100 m.
+//! On a ramp that falls to the east every row is a river. At the steady state S √A = U/K. Here U/K
+//! is 1 mm/yr over 1e-5 1/yr: 100 m.
 //!
 //! ```
 //! # use landform_core::{grid::{Edge, Edges, Grid, Shape}, sim::Model, terrain::{HeightField, NodeSurface}};
@@ -253,7 +260,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         let law = self.law(floor, at.dt, terrain.layers().is_some());
         let (base, erodibility) = (&state.base, &state.erodibility);
         let by_material = self.erodibility.is_none();
-        // Layers are read while elevations are found, and follow afterwards; without layers elevations change in place.
+        // Layers are read while elevations are found, and follow afterwards; without layers
+        // elevations change in place.
         let mut work = |z: &mut [f64], layers: Option<&Layers>| {
             let mut change = hold_base_level(z, &*domain, base, risen);
             let rock = Rock { erodibility, layers, by_material };
@@ -358,7 +366,8 @@ fn relative_rain<D: Domain>(rain: &Resolved, domain: &D) -> Result<Option<Vec<f6
     Ok(Some(relative))
 }
 
-/// The volume that was worn off, m³; `by` is what nodes were lowered by, m, which nodes without a receiver were not.
+/// The volume that was worn off, m³; `by` is what nodes were lowered by, m, which nodes without a
+/// receiver were not.
 fn lowered<D: Domain>(domain: &D, flow: &Flow, by: &mut [f64]) -> f64 {
     let slots = flow.slots();
     let pieces = parallel::map_pieces_mut([by], parallel::PIECE, |first, [piece]| {
@@ -372,8 +381,8 @@ fn lowered<D: Domain>(domain: &D, flow: &Flow, by: &mut [f64]) -> f64 {
     pieces.into_iter().sum()
 }
 
-/// Puts base levels back to their elevation, `risen` since the start: material above it is carried away, material below it is
-/// supplied.
+/// Puts base levels back to their elevation, `risen` since the start: material above it is carried
+/// away, material below it is supplied.
 fn hold_base_level<D: Domain>(z: &mut [f64], domain: &D, base: &[(u32, f64)], risen: f64) -> Change {
     let mut change = Change::default();
     for &(node, level) in base {

@@ -14,14 +14,15 @@ const USUAL_LIMITING_SLOPE: f64 = 0.9;
 /// Least drainage area where slopes have a limit, m².
 const LEAST_AREA: f64 = 5_000.0;
 
-/// Stream-power erosion: rivers cut their beds and may deposit sediment, dz/dt = -k A^m S^n + G Q/A. Lakes spill over their
-/// lowest pass; the sea may rise and fall.
+/// Stream-power erosion: rivers cut their beds and may deposit sediment, dz/dt = -k A^m S^n + G
+/// Q/A. Lakes spill over their lowest pass; the sea may rise and fall.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StreamPower {
-    /// Erodibility k of the rock; may vary in space or change in time. Its true unit is m^(1-2m)/yr (for slope exponent 1): it is
-    /// written 1/yr with lengths in metres, and a bare number is read the same way. If not given, each material of layered ground
-    /// has its own erodibility, and other ground has 2e-6 1/yr. Loose layers always have their own.
+    /// Erodibility k of the rock; may vary in space or change in time. Its true unit is m^(1-2m)/yr
+    /// (for slope exponent 1): it is written 1/yr with lengths in metres, and a bare number is read
+    /// the same way. If not given, each material of layered ground has its own erodibility, and
+    /// other ground has 2e-6 1/yr. Loose layers always have their own.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e3))]
     pub erodibility: Option<Varying<ErodibilityDimension>>,
     /// Area exponent m; m/n is the concavity of river profiles.
@@ -30,50 +31,56 @@ pub struct StreamPower {
     /// Slope exponent n.
     #[schemars(extend("x-min" = 0.5, "x-max" = 4.0))]
     pub slope_exponent: f64,
-    /// Steepest slope that ground can stand at: what is steeper falls at once, and makes planes of this angle. If not given, there is
-    /// none, but where `limiting_slope` is 0 each material of layered ground stands at its own angle of repose.
+    /// Steepest slope that ground can stand at: what is steeper falls at once, and makes planes of
+    /// this angle. If not given, there is none, but where `limiting_slope` is 0 each material of
+    /// layered ground stands at its own angle of repose.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub talus_angle: Option<Angle>,
-    /// Slope S_d that ground approaches and does not exceed: erosion is k A^m S^n/(1 - S/S_d), so that the steep heads of valleys
-    /// are gullies rather than planes of one angle. With 0 there is no such slope. If not given, there is none where a talus
-    /// angle is given; each material of layered ground has its own; other ground has 0.9. With it A is at least 5,000 m2, so that slopes do not grow as cells
-    /// shrink.
+    /// Slope S_d that ground approaches and does not exceed: erosion is k A^m S^n/(1 - S/S_d), so
+    /// that the steep heads of valleys are gullies rather than planes of one angle. With 0 there is
+    /// no such slope. If not given, there is none where a talus angle is given; each material of
+    /// layered ground has its own; other ground has 0.9. With it A is at least 5,000 m2, so that
+    /// slopes do not grow as cells shrink.
     #[schemars(extend("x-min" = 0.0, "x-max" = 20.0))]
     pub limiting_slope: Option<f64>,
     /// Where the nodes of a raster stand while rivers run. On meshes it has no effect.
     pub lattice: Lattice,
-    /// Speed at which slopes above the talus angle are lowered, per unit of slope in excess. If not given, they are lowered at
-    /// once.
+    /// Speed at which slopes above the talus angle are lowered, per unit of slope in excess. If not
+    /// given, they are lowered at once.
     #[schemars(extend("x-above" = 0.0))]
     pub talus_relaxation: Option<Rate>,
-    /// Deposition coefficient G of Yuan et al.: sediment is deposited as G times the flux over the drainage area. With 0 rivers
-    /// carry everything away; rivers on sediment have about 0.2 to 2.
+    /// Deposition coefficient G of Yuan et al.: sediment is deposited as G times the flux over the
+    /// drainage area. With 0 rivers carry everything away; rivers on sediment have about 0.2 to 2.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100.0))]
     pub deposition: f64,
-    /// Rainfall; may vary in space or change in time. Drainage area is weighted by rainfall over 1 m/yr, so a wetter land is worn more; the discharge of rivers follows
-    /// from it. If not given, it is the environment's rainfall, or else 1 m/yr.
+    /// Rainfall; may vary in space or change in time. Drainage area is weighted by rainfall over 1
+    /// m/yr, so a wetter land is worn more; the discharge of rivers follows from it. If not given,
+    /// it is the environment's rainfall, or else 1 m/yr.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Option<Varying<RateDimension>>,
-    /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low points of the border), "sea"
-    /// (every node at or under `sea_level`, as the sea rises and falls), a list of sides such as ["south"], parts of the border
-    /// by a map ({ border_where = map, below = 0.33 }), or any nodes by a map ({ mask = map }). If not given, the outlets of the
-    /// landscape are used.
+    /// Where water leaves, at a base level that is held from now on: "border", "valleys" (the low
+    /// points of the border), "sea" (every node at or under `sea_level`, as the sea rises and
+    /// falls), a list of sides such as ["south"], parts of the border by a map ({ border_where =
+    /// map, below = 0.33 }), or any nodes by a map ({ mask = map }). If not given, the outlets of
+    /// the landscape are used.
     pub outlets: Option<Outlets>,
-    /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or { mean = "0 m", amplitude =
-    /// "60 m", period = "100 kyr" }. With outlets "sea" rivers end at it; with other outlets base levels rise and fall with it.
-    /// If not given, it is the environment's sea level, or else 0 m.
+    /// Sea level; may change in time: { times = ["0 yr", "1 Myr"], values = ["0 m", "-100 m"] }, or
+    /// { mean = "0 m", amplitude = "60 m", period = "100 kyr" }. With outlets "sea" rivers end at
+    /// it; with other outlets base levels rise and fall with it. If not given, it is the
+    /// environment's sea level, or else 0 m.
     pub sea_level: Option<Changing<LengthDimension>>,
-    /// Value that A^m S^n must exceed before rivers cut: k max(0, A^m S^n - threshold), in m^(2m). Together with creep it keeps
-    /// hillslopes smooth and valleys apart.
+    /// Value that A^m S^n must exceed before rivers cut: k max(0, A^m S^n - threshold), in m^(2m).
+    /// Together with creep it keeps hillslopes smooth and valleys apart.
     #[schemars(extend("x-min" = 0.0))]
     pub threshold: f64,
-    /// Whether A is the drainage area per width of a cell (m), as for sheet flow, rather than the area (m2). With `multiple_flow`
-    /// the spacing of valleys then does not depend on the size of cells.
+    /// Whether A is the drainage area per width of a cell (m), as for sheet flow, rather than the
+    /// area (m2). With `multiple_flow` the spacing of valleys then does not depend on the size of
+    /// cells.
     pub specific_area: bool,
     /// Which lower neighbour receives a node's water.
     pub descent: Descent,
-    /// Power of slope (Freeman: 1.1) by which drainage area is shared among all lower neighbours. If not given, all of it goes to
-    /// one receiver.
+    /// Power of slope (Freeman: 1.1) by which drainage area is shared among all lower neighbours.
+    /// If not given, all of it goes to one receiver.
     #[schemars(extend("x-min" = 0.0, "x-max" = 20.0))]
     pub multiple_flow: Option<f64>,
 }
@@ -82,8 +89,9 @@ pub struct StreamPower {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Lattice {
-    /// Off the centres of their cells, up to half a cell each way, so that rivers do not follow the lattice. Heights go there by
-    /// smooth curves when the run begins, and back to the centres when it ends.
+    /// Off the centres of their cells, up to half a cell each way, so that rivers do not follow the
+    /// lattice. Heights go there by smooth curves when the run begins, and back to the centres when
+    /// it ends.
     #[default]
     Jittered,
     /// On the centres of their cells. Rivers then keep to eight directions.

@@ -66,10 +66,12 @@ impl Rock<'_> {
         }
     }
 
-    /// The drop over `base` that erosion leaves in the step, through strata of different erodibility.
+    /// The drop over `base` that erosion leaves in the step, through strata of different
+    /// erodibility.
     ///
-    /// The implicit step asks for the elevation at which ∫ dz/K from there up to the old surface equals Δt (Aᵐ Sⁿ − threshold),
-    /// with S the slope at the end; with one K it is the plain one. Strata above the end only add to the left-hand side.
+    /// The implicit step asks for the elevation at which ∫ dz/K from there up to the old surface
+    /// equals Δt (Aᵐ Sⁿ − threshold), with S the slope at the end; with one K it is the plain one.
+    /// Strata above the end only add to the left-hand side.
     fn worn(&self, law: &Law, layers: &Layers, node: usize, z: f64, base: f64, (area, length): (f64, f64)) -> f64 {
         // ∫ dz/K over the strata passed, and the time that the threshold spares, s.
         let (mut top, mut passed) = (z, law.threshold * law.dt);

@@ -1,24 +1,27 @@
 //! Erosion and deposition in one implicit step.
 //!
 //! # Model
-//! ∂z/∂t = U − K Aᵐ Sⁿ + (G/A) Q, with Q the sediment that leaves a node: all that was eroded upstream, its own included, less
-//! the deposits there.
+//! ∂z/∂t = U − K Aᵐ Sⁿ + (G/A) Q, with Q the sediment that leaves a node: all that was eroded
+//! upstream, its own included, less the deposits there.
 //!
 //! # Method
-//! Let d be the net lowering of a node in the step. Its equation holds the receiver's d (through the slope) and its donors' d
-//! (through Q): a linear system on a tree, for n = 1. It is solved *directly*: from the leaves down, the flux out of a subtree is
-//! a linear function of the lowering of the node below, Q = α + β d_r; from the outlets up the d follow. O(n), without the
-//! iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up and the two passes repeated:
-//! slopes at the talus angle; floors of lakes, where nothing is worn off and fill stops at the water's surface; the tangent of the
-//! law, for n ≠ 1 or a limiting slope. The rounds end when less than one node of a hundred decides otherwise or lies further from
-//! its tangent than a hundredth of what is worn off. At a steady state the first tangent is exact.
+//! Let d be the net lowering of a node in the step. Its equation holds the receiver's d (through
+//! the slope) and its donors' d (through Q): a linear system on a tree, for n = 1. It is
+//! solved *directly*: from the leaves down, the flux out of a subtree is a linear function of the
+//! lowering of the node below, Q = α + β d_r; from the outlets up the d follow. O(n), without the
+//! iterations of Gauss–Seidel, whatever G. What is not linear is decided node by node on the way up
+//! and the two passes repeated: slopes at the talus angle; floors of lakes, where nothing is worn
+//! off and fill stops at the water's surface; the tangent of the law, for n ≠ 1 or a limiting
+//! slope. The rounds end when less than one node of a hundred decides otherwise or lies further
+//! from its tangent than a hundredth of what is worn off. At a steady state the first tangent is
+//! exact.
 //!
 //! Volumes are conserved by construction: Q is made of the d.
 //!
 //! # Sources
-//! Yuan, Braun, Guerit, Rouby & Cordonnier (2019), eqs. 5–9, who exclude the node's own cell from Q; here it is included, so that
-//! the steady slope is ((1 + G) U/K)^(1/n) A^(−m/n) exactly (validation notes 2.19). Davy & Lague (2009) for the ξ–q law behind
-//! it.
+//! Yuan, Braun, Guerit, Rouby & Cordonnier (2019), eqs. 5–9, who exclude the node's own cell from
+//! Q; here it is included, so that the steady slope is ((1 + G) U/K)^(1/n) A^(−m/n) exactly
+//! (validation notes 2.19). Davy & Lague (2009) for the ξ–q law behind it.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -31,7 +34,8 @@ use super::law::Law;
 use super::rock::Rock;
 
 const MOST_ROUNDS: usize = 60;
-/// One node of so many may still decide otherwise when rounds end: more rounds cost more than the error of a step in time is worth.
+/// One node of so many may still decide otherwise when rounds end: more rounds cost more than the
+/// error of a step in time is worth.
 const FEW: usize = 100;
 /// Distance of the law from its tangent, over what is worn off, that is not worth another round.
 const TANGENT: f64 = 0.01;
@@ -79,7 +83,8 @@ struct Node {
 const EMPTY: Node = Node { lowering: 0.0, drop: 0.0, at: 1.0, level: 0.0, limit: 0.0, regime: Regime::Lake };
 
 impl Sediment {
-    /// Erodes and deposits over `z`. `area` is drainage area, and becomes what nodes were lowered by, m.
+    /// Erodes and deposits over `z`. `area` is drainage area, and becomes what nodes were lowered
+    /// by, m.
     pub(super) fn sweep<D: Domain>(
         &mut self,
         domain: &D,
@@ -150,7 +155,8 @@ impl Sediment {
         });
     }
 
-    /// From the leaves down: what each subtree sends, as a function of the lowering of the node below.
+    /// From the leaves down: what each subtree sends, as a function of the lowering of the node
+    /// below.
     fn down<D: Domain>(&mut self, step: &Step<'_, D>) {
         let nodes = &self.nodes;
         parallel::update(&mut self.upstream, |_, sums| *sums = [0.0; 2]);

@@ -1,22 +1,25 @@
 //! Koh's stream automaton.
 //!
 //! # Model
-//! A pass floods the land: every cell gets a unit of water. In each step water moves to the lowest neighbour and takes a unit of
-//! height with it; pits absorb it. The pass ends when no water is left.
+//! A pass floods the land: every cell gets a unit of water. In each step water moves to the lowest
+//! neighbour and takes a unit of height with it; pits absorb it. The pass ends when no water is
+//! left.
 //!
 //! # Method
-//! All cells at once, from the heights at the start of the step. A cell loses at most half of its drop. (By Koh's own rule it
-//! loses a whole unit: it could fall below its neighbour, and both would be lowered for ever.) Water leaves over open sides.
+//! All cells at once, from the heights at the start of the step. A cell loses at most half of its
+//! drop. (By Koh's own rule it loses a whole unit: it could fall below its neighbour, and both
+//! would be lowered for ever.) Water leaves over open sides.
 //!
 //! # Limits
-//! A cell has water or none: flows that meet become one unit. So the erosion of a cell follows the length of the path above it,
-//! not its drainage area. With `counted`, units add up.
+//! A cell has water or none: flows that meet become one unit. So the erosion of a cell follows the
+//! length of the path above it, not its drainage area. With `counted`, units add up.
 //!
 //! # Sources
 //! Koh (2002), 5.1, figures 9 to 13 (the softness map).
 //!
 //! # Checked by
-//! `tests`: passes end, removed volume is unit times moves (where half a drop is more), softness scales it, no drilling.
+//! `tests`: passes end, removed volume is unit times moves (where half a drop is more), softness
+//! scales it, no drilling.
 
 #[cfg(test)]
 mod tests;
@@ -34,8 +37,8 @@ landform_core::stages! {
     process StreamAutomaton where HeightField;
 }
 
-/// Gullies by a simple automaton: the land is flooded, and water moves to the lowest neighbour and takes some height with it.
-/// Runs without a clock; one round is a flooding.
+/// Gullies by a simple automaton: the land is flooded, and water moves to the lowest neighbour and
+/// takes some height with it. Runs without a clock; one round is a flooding.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct StreamAutomaton {

@@ -4,7 +4,8 @@
 //! ∂z/∂t = U wherever the ground is not held at base level.
 //!
 //! # Method
-//! Explicit. A rate that changes in time acts by its mean over each step. Beds of rock move with the ground. O(n).
+//! Explicit. A rate that changes in time acts by its mean over each step. Beds of rock move with
+//! the ground. O(n).
 //!
 //! # Limits
 //! Vertical only. With a negative rate the ground subsides.
@@ -47,7 +48,8 @@ landform_core::stages! {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Uplift {
-    /// Rate of uplift; may vary in space or change in time. It is negative where the ground subsides.
+    /// Rate of uplift; may vary in space or change in time. It is negative where the ground
+    /// subsides.
     pub rate: Varying<RateDimension>,
 }
 

@@ -7,9 +7,9 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Turns a raster into voxels, a column under each node, so that the ground can have caves and overhangs. Layers give each voxel its
-/// material. A voxel is solid where its middle lies under the surface; fields, features, chosen outlets and the place of
-/// nodata are lost.
+/// Turns a raster into voxels, a column under each node, so that the ground can have caves and
+/// overhangs. Layers give each voxel its material. A voxel is solid where its middle lies under the
+/// surface; fields, features, chosen outlets and the place of nodata are lost.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToVoxels {

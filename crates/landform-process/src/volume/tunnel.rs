@@ -7,7 +7,8 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Hollows out a round passage along a line of places, in voxels: all those whose middle lies within its radius become empty.
+/// Hollows out a round passage along a line of places, in voxels: all those whose middle lies
+/// within its radius become empty.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Tunnel {

@@ -6,7 +6,8 @@ use landform_core::verb::{Convert, Estimate, Params, Source};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Turns voxels into a raster of their uppermost surface; what lies under a roof is lost, and an empty column is nodata.
+/// Turns voxels into a raster of their uppermost surface; what lies under a roof is lost, and an
+/// empty column is nodata.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct UppermostSurface {}

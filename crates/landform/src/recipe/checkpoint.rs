@@ -1,7 +1,8 @@
-//! The state of a stage that is kept while it runs: the model in one file, and in pieces beside it what `watch` saw.
+//! The state of a stage that is kept while it runs: the model in one file, and in pieces beside it
+//! what `watch` saw.
 //!
-//! A piece holds what was seen from one save to the next, so that pictures are written once. Pieces are named by the step at which
-//! they end: the model says up to which step they count.
+//! A piece holds what was seen from one save to the next, so that pictures are written once. Pieces
+//! are named by the step at which they end: the model says up to which step they count.
 
 use std::borrow::Cow;
 use std::fs;
@@ -59,7 +60,8 @@ impl<'a> Checkpoint<'a> {
         is_for(KIND, self.key, &head(self.path))
     }
 
-    /// Steps of the whole state that lies there; none if it, or what `watch` saw, is not of this stage.
+    /// Steps of the whole state that lies there; none if it, or what `watch` saw, is not of this
+    /// stage.
     pub(super) fn steps(&self) -> Option<u64> {
         let steps = read_whole(self.path).and_then(|bytes| saved_steps(self.key, &bytes)).ok()?;
         let fits = |seen| steps == 0 || is_for(SEEN, seen, &head(&self.piece(steps)));
@@ -111,7 +113,8 @@ impl<'a> Checkpoint<'a> {
         Ok(simulation)
     }
 
-    /// Shows a watcher again what was seen until the save; pieces of a save that did not come to its end go.
+    /// Shows a watcher again what was seen until the save; pieces of a save that did not come to
+    /// its end go.
     fn recall(&self, seen: &str, watcher: &mut Watcher) -> Result<()> {
         let mut until = 0;
         for end in piece_ends(self.path)? {

@@ -17,19 +17,20 @@ pub struct Clock {
     /// Time to run. Instead, `until` or `iterations` may be given.
     #[schemars(extend("x-min" = 0.0))]
     pub duration: Option<Duration>,
-    /// "steady": the run stops when the greatest change of a step is at most `tolerance` times what uplift alone would have
-    /// raised (or times the relief, where uplift in a long step would have raised more).
+    /// "steady": the run stops when the greatest change of a step is at most `tolerance` times what
+    /// uplift alone would have raised (or times the relief, where uplift in a long step would have
+    /// raised more).
     pub until: Option<Until>,
-    /// Tolerance of `until`. With 0 the run stops when no bit changes (some runs end in a cycle of the last bit, which 1e-12
-    /// takes as steady).
+    /// Tolerance of `until`. With 0 the run stops when no bit changes (some runs end in a cycle of
+    /// the last bit, which 1e-12 takes as steady).
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub tolerance: f64,
     /// Greatest number of steps. If not given, it is 10,000 for a run until steady.
     #[schemars(extend("x-min" = 1))]
     pub iterations: Option<u64>,
-    /// Number of coarser levels, each with a quarter of the nodes, that are made steady first, each from the one before. The
-    /// finest level then needs tens of steps rather than hundreds. It needs `until = "steady"` alone, and a sea level that does
-    /// not change.
+    /// Number of coarser levels, each with a quarter of the nodes, that are made steady first, each
+    /// from the one before. The finest level then needs tens of steps rather than hundreds. It
+    /// needs `until = "steady"` alone, and a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
     /// Whether the clock counts rounds that have no length in time.

@@ -393,7 +393,8 @@ fn by_old_names(error: Error, renamed: &[&(&str, &str)]) -> Error {
     Error::Recipe { at, what, hint }
 }
 
-/// serde_json's message without its line and column, which refer to a text that the user does not see.
+/// serde_json's message without its line and column, which refer to a text that the user does not
+/// see.
 fn without_place(message: &str) -> String {
     message.split(" at line ").next().unwrap_or(message).to_string()
 }

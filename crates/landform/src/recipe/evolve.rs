@@ -83,7 +83,8 @@ impl Evolving<'_, '_> {
     }
 }
 
-/// A model of a terrain with processes, its nodes off the centres of cells if one of them wants that.
+/// A model of a terrain with processes, its nodes off the centres of cells if one of them wants
+/// that.
 ///
 /// # Errors
 /// Where [`ReadStage::add_to`] fails.

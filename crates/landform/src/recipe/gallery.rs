@@ -27,7 +27,8 @@ macro_rules! recipe {
     };
 }
 
-/// All recipes, by group: first the landscapes that most people begin with, last what is nearest to the papers.
+/// All recipes, by group: first the landscapes that most people begin with, last what is nearest to
+/// the papers.
 pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Landscapes", "alpine_range", "71_alpine_range.toml"),
     recipe!("Landscapes", "folded_range", "72_folded_range.toml"),

@@ -48,8 +48,8 @@ impl fmt::Display for Level {
 }
 
 impl Recipe {
-    /// The same recipe on cells that are twice, four times, ... as long: a preview in a fraction of the time. Extents, rates and
-    /// times do not change.
+    /// The same recipe on cells that are twice, four times, ... as long: a preview in a fraction of
+    /// the time. Extents, rates and times do not change.
     ///
     /// # Errors
     /// [`Error::Stage`] if a stage cannot work with so few cells.

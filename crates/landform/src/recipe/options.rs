@@ -47,7 +47,8 @@ pub type Progress<'a> = dyn Fn(Signal) + Sync + 'a;
 pub struct Options<'a> {
     /// Terrains of earlier runs, and where those of this one are kept.
     pub cache: Option<&'a Cache>,
-    /// Where the state of an interrupted stage is kept; nowhere if none. What `watch` saw until then is kept in a folder beside it.
+    /// Where the state of an interrupted stage is kept; nowhere if none. What `watch` saw until
+    /// then is kept in a folder beside it.
     pub checkpoint: Option<PathBuf>,
     /// Goes on from the checkpoint if it fits.
     pub resume: bool,

@@ -61,8 +61,8 @@ pub struct Override {
 }
 
 impl Override {
-    /// Reads `stage.key=value`, `stage.table.key=value`, `environment.key=value`, `materials.name.key=value`, `seed=value` or
-    /// `title=value`.
+    /// Reads `stage.key=value`, `stage.table.key=value`, `environment.key=value`,
+    /// `materials.name.key=value`, `seed=value` or `title=value`.
     ///
     /// # Errors
     /// [`Error::Recipe`] if there is no `=` or no key.
@@ -105,8 +105,8 @@ impl Recipe {
     /// Reads a recipe's text; `title` if it has none, `folder` for its paths.
     ///
     /// # Errors
-    /// [`Error::Recipe`] if a part of the text is wrong, with line and column, the expected value and the nearest name;
-    /// [`Error::Several`] if several parts are.
+    /// [`Error::Recipe`] if a part of the text is wrong, with line and column, the expected value
+    /// and the nearest name; [`Error::Several`] if several parts are.
     pub fn parse(text: &str, title: &str, folder: &Path, overrides: &[Override]) -> Result<Self> {
         let mut root = Node::parse(text)?;
         let reader = EntryReader { text, notes: Default::default() };

@@ -42,7 +42,8 @@ pub struct PlannedStage {
 }
 
 impl PlannedStage {
-    /// Reads what a cache keeps of the stage, and refuses it where it is not whole. A run would make it again.
+    /// Reads what a cache keeps of the stage, and refuses it where it is not whole. A run would
+    /// make it again.
     ///
     /// # Errors
     /// [`Error::Io`] or [`Error::Format`].
@@ -99,7 +100,8 @@ impl Recipe {
         Ok(Plan { stages, bytes })
     }
 
-    /// What the files that were read say and nobody follows, and what was assumed of them, since this was last asked.
+    /// What the files that were read say and nobody follows, and what was assumed of them, since
+    /// this was last asked.
     pub fn file_notes(&self) -> Vec<String> {
         self.maps.take_notes()
     }
@@ -110,7 +112,8 @@ impl Recipe {
         parts.flat_map(|p| input_paths(p.stage().inputs, p.parameters())).map(|path| self.folder.join(path))
     }
 
-    /// Files that it writes, below the output folder; of the numbered frames of a `watch` the first.
+    /// Files that it writes, below the output folder; of the numbered frames of a `watch` the
+    /// first.
     pub fn outputs(&self) -> impl Iterator<Item = String> {
         self.entries.iter().flat_map(|e| e.work.outputs())
     }

@@ -7,8 +7,9 @@ use super::entry::{Entry, Work};
 use super::{Recipe, Verb};
 
 impl Recipe {
-    /// The same recipe for a window of its ground (south-west and north-east corner, m): only the window is built, with the
-    /// margin that later stages read. It is the same as in the whole, to the bit.
+    /// The same recipe for a window of its ground (south-west and north-east corner, m): only the
+    /// window is built, with the margin that later stages read. It is the same as in the whole, to
+    /// the bit.
     ///
     /// # Errors
     /// [`Error::Stage`] if a stage needs the whole ground, as every stage that routes water does.
@@ -45,7 +46,8 @@ impl Entry {
         match &self.work {
             Work::Once(part) if part.stage().verb == Verb::Convert => Reach::Whole,
             Work::Once(part) => part.reach(),
-            // Each step reads the neighbourhood again; processes that read only the node itself may take any number of steps.
+            // Each step reads the neighbourhood again; processes that read only the node itself may
+            // take any number of steps.
             Work::Evolve(evolve) => {
                 let still = evolve.watch.is_none() && evolve.clock.until.is_none();
                 let each_at_its_place = evolve.parts.iter().all(|p| p.reach() == Reach::Point);

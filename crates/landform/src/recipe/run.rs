@@ -159,7 +159,8 @@ impl Runner<'_> {
         (self.options.progress)(Signal::Note(text.into()));
     }
 
-    /// What an earlier run left of a stage that is to run; says where it is, or why it is of no use.
+    /// What an earlier run left of a stage that is to run; says where it is, or why it is of no
+    /// use.
     fn find_kept(&self, plan: &Plan) -> Result<Option<Kept>> {
         let resume = self.options.resume;
         let Some(path) = self.options.checkpoint.as_deref().filter(|path| path.is_file()) else {
@@ -191,7 +192,8 @@ impl Runner<'_> {
         }
     }
 
-    /// Where the state of a stage is kept, if it is; that of a later stage is worth more and left alone.
+    /// Where the state of a stage is kept, if it is; that of a later stage is worth more and left
+    /// alone.
     fn checkpoint<'k>(&'k self, stage: usize, key: &'k str, watch: Option<&Watch>) -> Option<Checkpoint<'k>> {
         let new = || Some(Checkpoint::new(self.options.checkpoint.as_deref()?, key, watch));
         match &self.kept {

@@ -1,7 +1,8 @@
 //! The JSON schema of recipes, for editors.
 //!
-//! A stage is checked against the schema of the one that it names: with a choice among all of them an editor could only say that
-//! none fits. Types of one name and different content, such as the `until` of a clock and that of a coast, get names of their own.
+//! A stage is checked against the schema of the one that it names: with a choice among all of them
+//! an editor could only say that none fits. Types of one name and different content, such as the
+//! `until` of a clock and that of a coast, get names of their own.
 
 use std::collections::BTreeMap;
 
@@ -79,7 +80,8 @@ fn schema_of<P: JsonSchema>() -> Json {
     schemars::schema_for!(P).to_value()
 }
 
-/// Moves the types that a schema defines to those of the recipe; one whose name is taken by another is named after its `owner`.
+/// Moves the types that a schema defines to those of the recipe; one whose name is taken by another
+/// is named after its `owner`.
 fn adopt(owner: &str, mut schema: Json, definitions: &mut Map<String, Json>) -> Json {
     let mut inner = match schema.get_mut("$defs").map(Json::take) {
         Some(Json::Object(inner)) => inner,

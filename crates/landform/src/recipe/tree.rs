@@ -84,7 +84,8 @@ impl Node {
         Some(entries.remove(at))
     }
 
-    /// Where the value at a path of keys stands ("grid.cell_size"), or as much of the path as there is.
+    /// Where the value at a path of keys stands ("grid.cell_size"), or as much of the path as there
+    /// is.
     pub(super) fn span_at(&self, path: &str) -> Range<usize> {
         let (first, rest) = path.split_once('.').unwrap_or((path, ""));
         match self.get(first) {

@@ -90,7 +90,8 @@ pub struct Row {
     pub hypsometry: Hypsometry,
     /// Slope against drainage area.
     pub slope_area: SlopeArea,
-    /// Numbers of the recipe's measures: the stage's label or name and the path of the number, and its value.
+    /// Numbers of the recipe's measures: the stage's label or name and the path of the number, and
+    /// its value.
     pub measures: Vec<(String, f64)>,
     /// Wall-clock time, s.
     pub seconds: f64,
@@ -135,9 +136,10 @@ impl Sweep {
         Ok(runs)
     }
 
-    /// Runs a recipe, which `load` reads with the given overrides, once for each combination, several at a time as far as
-    /// `memory` (bytes) and cores allow. Nothing is exported. `done` gets each run's number and row. An error that ends the sweep
-    /// early is returned beside the rows that came before it.
+    /// Runs a recipe, which `load` reads with the given overrides, once for each combination,
+    /// several at a time as far as `memory` (bytes) and cores allow. Nothing is exported. `done`
+    /// gets each run's number and row. An error that ends the sweep early is returned beside the
+    /// rows that came before it.
     ///
     /// # Errors
     /// If a recipe cannot be read, before anything runs.
@@ -241,7 +243,8 @@ impl Visit for Summing {
     }
 }
 
-/// Pictures side by side, each with its number in the corner, in rows that make the sheet about square.
+/// Pictures side by side, each with its number in the corner, in rows that make the sheet about
+/// square.
 ///
 /// # Errors
 /// [`Error::Parameter`] without rows, or where drawing fails.

@@ -31,10 +31,12 @@ pub struct Watch {
     pub animation: Option<String>,
     /// Pictures (PNG), numbered before the extension.
     pub frames: Option<String>,
-    /// Time from one picture or row to the next; steps are shortened to meet it. Instead, `steps` may be given.
+    /// Time from one picture or row to the next; steps are shortened to meet it. Instead, `steps`
+    /// may be given.
     #[schemars(extend("x-above" = 0.0))]
     pub every: Option<Duration>,
-    /// Number of steps from one picture or row to the next. If neither this nor `every` is given, it is 1.
+    /// Number of steps from one picture or row to the next. If neither this nor `every` is given,
+    /// it is 1.
     #[schemars(extend("x-min" = 1))]
     pub steps: Option<u64>,
     /// View that pictures show.
@@ -260,8 +262,8 @@ impl<'a> Watcher<'a> {
     }
 }
 
-/// The terrain with water at 0 m as outlets, where nothing else is one: while rivers end at a sea that rises and falls, no node
-/// is held. Only then a copy is made.
+/// The terrain with water at 0 m as outlets, where nothing else is one: while rivers end at a sea
+/// that rises and falls, no node is held. Only then a copy is made.
 fn ashore<T: Surface>(terrain: &T) -> Cow<'_, T> {
     if terrain.domain().status().contains(&Status::BaseLevel) {
         return Cow::Borrowed(terrain);

@@ -1,5 +1,5 @@
-//! Depressions by flooding: the reference that the basin graph of [`flow`](super::flow) is checked against, and the level
-//! surface for one-off fills.
+//! Depressions by flooding: the reference that the basin graph of [`flow`](super::flow) is checked
+//! against, and the level surface for one-off fills.
 //!
 //! A depression fills up to the lowest pass of its rim:
 //!

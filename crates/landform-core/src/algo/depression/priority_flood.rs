@@ -9,8 +9,8 @@ use std::collections::{BinaryHeap, VecDeque};
 use super::Height;
 use crate::grid::{Domain, Status};
 
-/// The level to which each node must be filled so that water reaches a base level. NaN on masked nodes; nodes that no base
-/// level can be reached from keep their elevation.
+/// The level to which each node must be filled so that water reaches a base level. NaN on masked
+/// nodes; nodes that no base level can be reached from keep their elevation.
 ///
 /// **Cost** O(n + m log m), with m nodes outside of depressions.
 pub fn flood_levels<D: Domain>(domain: &D, elevation: &[f64]) -> Vec<f64> {

@@ -1,8 +1,9 @@
 //! Slope and shading by Horn's third-order differences, as GDAL computes them.
 //!
 //! # Sources
-//! Horn (1981). At the border and beside nodata the missing neighbour takes the value that the plane through the centre and
-//! the opposite neighbour gives (GDAL leaves these cells out unless told to compute edges).
+//! Horn (1981). At the border and beside nodata the missing neighbour takes the value that the
+//! plane through the centre and the opposite neighbour gives (GDAL leaves these cells out unless
+//! told to compute edges).
 
 use crate::grid::Grid;
 use crate::{math, parallel};
@@ -32,8 +33,9 @@ impl Gradient {
     }
 }
 
-/// The nine values around a node, row by row from the north-west. A missing one (beyond the border, or nodata) takes the value
-/// that the plane through the centre and the opposite neighbour gives; all are NaN on nodata.
+/// The nine values around a node, row by row from the north-west. A missing one (beyond the border,
+/// or nodata) takes the value that the plane through the centre and the opposite neighbour gives;
+/// all are NaN on nodata.
 pub(super) fn window(grid: &Grid, values: &[f64], node: usize) -> [f64; 9] {
     let cell = grid.shape.cell(node);
     let z = values[node];
@@ -87,8 +89,8 @@ pub fn slope(grid: &Grid, values: &[f64]) -> Vec<f64> {
     parallel::map(values.len(), |i| gradient(grid, values, i).slope())
 }
 
-/// Cosine between the ground's normal and the direction to the sun, 0 in its own shadow. `azimuth` clockwise from north and
-/// `altitude`, radians; `exaggeration` multiplies the relief.
+/// Cosine between the ground's normal and the direction to the sun, 0 in its own shadow. `azimuth`
+/// clockwise from north and `altitude`, radians; `exaggeration` multiplies the relief.
 pub fn hillshade(grid: &Grid, values: &[f64], azimuth: f64, altitude: f64, exaggeration: f64) -> Vec<f64> {
     let (ca, sa) = (math::cos(altitude), math::sin(altitude));
     let sun = [math::sin(azimuth) * ca, math::cos(azimuth) * ca, sa];

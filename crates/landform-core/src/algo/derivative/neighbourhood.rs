@@ -1,19 +1,21 @@
 //! A node relative to the ground around it.
 //!
 //! # Method
-//! Square windows, cut at the border, nodata left out. Means come from running sums, extremes from a sliding minimum (van Herk
-//! 1992, as a monotone queue), first along rows, then along columns: cost does not grow with the window.
+//! Square windows, cut at the border, nodata left out. Means come from running sums, extremes from
+//! a sliding minimum (van Herk 1992, as a monotone queue), first along rows, then along columns:
+//! cost does not grow with the window.
 //!
 //! # Sources
-//! Topographic position index: Guisan, Weiss & Weiss (1999), elevation less the mean around it. Local relief: greatest less least
-//! elevation.
+//! Topographic position index: Guisan, Weiss & Weiss (1999), elevation less the mean around it.
+//! Local relief: greatest less least elevation.
 
 use std::collections::VecDeque;
 
 use crate::grid::Shape;
 use crate::parallel;
 
-/// Elevation less the mean of the window of (2 `radius` + 1)² nodes without the node itself, m (topographic position index).
+/// Elevation less the mean of the window of (2 `radius` + 1)² nodes without the node itself, m
+/// (topographic position index).
 pub fn position_index(shape: Shape, values: &[f64], radius: usize) -> Vec<f64> {
     let filled: Vec<f64> = parallel::map(values.len(), |i| if values[i].is_nan() { 0.0 } else { values[i] });
     let present: Vec<f64> = parallel::map(values.len(), |i| f64::from(u8::from(!values[i].is_nan())));

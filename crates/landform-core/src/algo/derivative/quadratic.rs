@@ -1,9 +1,10 @@
 //! Slope and curvature from a quadratic surface through the nine nodes around a node.
 //!
 //! # Sources
-//! Evans (1972): the least-squares quadratic z = ½ r x² + s x y + ½ t y² + p x + q y + z₀ over a 3 × 3 window; Zevenbergen &
-//! Thorne (1987) for the slope through the four neighbours alone. Curvatures as Minár et al. (2020) name them: profile (along the
-//! slope) and plan (of the contour), positive where the ground is convex, in 1/m.
+//! Evans (1972): the least-squares quadratic z = ½ r x² + s x y + ½ t y² + p x + q y + z₀ over a 3
+//! × 3 window; Zevenbergen & Thorne (1987) for the slope through the four neighbours alone.
+//! Curvatures as Minár et al. (2020) name them: profile (along the slope) and plan (of the
+//! contour), positive where the ground is convex, in 1/m.
 
 use crate::grid::Grid;
 
@@ -25,8 +26,8 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// Curvature along the line of steepest slope, 1/m: positive on shoulders, negative at the foot of a slope; 0 on level
-    /// ground.
+    /// Curvature along the line of steepest slope, 1/m: positive on shoulders, negative at the foot
+    /// of a slope; 0 on level ground.
     pub fn profile_curvature(self) -> f64 {
         let Self { p, q, r, s, t } = self;
         let g = p * p + q * q;
@@ -41,7 +42,8 @@ impl Quadratic {
     }
 }
 
-/// The quadratic at a node, by values in m; NaN on nodata. Beyond the border and on nodata the surface goes on as a plane.
+/// The quadratic at a node, by values in m; NaN on nodata. Beyond the border and on nodata the
+/// surface goes on as a plane.
 pub fn quadratic(grid: &Grid, values: &[f64], node: usize) -> Quadratic {
     let [nw, n, ne, w, z, e, sw, s, se] = window(grid, values, node);
     let [dx, dy] = grid.spacing;
@@ -54,7 +56,8 @@ pub fn quadratic(grid: &Grid, values: &[f64], node: usize) -> Quadratic {
     }
 }
 
-/// The gradient (rise over run) through the four neighbours (Zevenbergen & Thorne 1987); NaN on nodata.
+/// The gradient (rise over run) through the four neighbours (Zevenbergen & Thorne 1987); NaN on
+/// nodata.
 pub fn gradient_of_four(grid: &Grid, values: &[f64], node: usize) -> Gradient {
     let [_, n, _, w, _, e, _, s, _] = window(grid, values, node);
     Gradient { x: (e - w) / (2.0 * grid.spacing[0]), y: (n - s) / (2.0 * grid.spacing[1]) }

@@ -1,7 +1,8 @@
-//! Carving: in every lake the path from the exit down to the pit is turned round, so that it leads out.
+//! Carving: in every lake the path from the exit down to the pit is turned round, so that it leads
+//! out.
 //!
-//! Paths of two basins never meet. Strips turn the paths of their own pits side by side; what of a path lies beyond a seam is
-//! turned at the end.
+//! Paths of two basins never meet. Strips turn the paths of their own pits side by side; what of a
+//! path lies beyond a seam is turned at the end.
 
 use std::ops::Range;
 

@@ -1,16 +1,21 @@
-//! Where the water of every basin leaves it: the minimum spanning tree of basins, with its ways turned outwards.
+//! Where the water of every basin leaves it: the minimum spanning tree of basins, with its ways
+//! turned outwards.
 //!
 //! # Method
-//! Borůvka's rounds. Every tree of basins takes the lowest pass on its rim; its ways are turned so that all its basins drain over
-//! that pass. A tree has one basin without an exit, its root. The outside is a root for ever.
+//! Borůvka's rounds. Every tree of basins takes the lowest pass on its rim; its ways are turned so
+//! that all its basins drain over that pass. A tree has one basin without an exit, its root. The
+//! outside is a root for ever.
 //!
-//! Strips work side by side. A basin that has passes in several strips is *shared*; the lowest of its passes may lie in another
-//! strip, so a tree that holds one waits. All other trees grow until they have joined one that waits. Of the passes between
-//! those that wait, each strip keeps a spanning forest: the highest pass of a cycle is never in the tree. What is kept is little,
-//! and is joined at the end. Passes of one height are ordered by node, so there is one tree, and no cut of the work changes it.
+//! Strips work side by side. A basin that has passes in several strips is *shared*; the lowest of
+//! its passes may lie in another strip, so a tree that holds one waits. All other trees grow until
+//! they have joined one that waits. Of the passes between those that wait, each strip keeps a
+//! spanning forest: the highest pass of a cycle is never in the tree. What is kept is little, and
+//! is joined at the end. Passes of one height are ordered by node, so there is one tree, and no cut
+//! of the work changes it.
 //!
 //! # Sources
-//! Borůvka (1926) by Nešetřil, Milková & Nešetřilová (2001); Cordonnier, Bovy & Braun (2019) for the tree of basins.
+//! Borůvka (1926) by Nešetřil, Milková & Nešetřilová (2001); Cordonnier, Bovy & Braun (2019) for
+//! the tree of basins.
 
 use std::ops::Range;
 
@@ -42,10 +47,11 @@ pub(super) fn home(pits: &[usize], strip: &Range<usize>) -> Range<u32> {
     before(strip.start)..before(strip.end)
 }
 
-/// The exit of every basin, by its number; the outside has none. Basins that no pass joins to the outside (a closed domain) drain
-/// to the pit of the first among them.
+/// The exit of every basin, by its number; the outside has none. Basins that no pass joins to the
+/// outside (a closed domain) drain to the pit of the first among them.
 ///
-/// **Cost** O(nodes + passes · log basins), in practice a few rounds over passes that are halved each time.
+/// **Cost** O(nodes + passes · log basins), in practice a few rounds over passes that are halved
+/// each time.
 pub(super) fn find_exits<D: Domain>(
     domain: &D,
     elevation: &[f64],
@@ -104,7 +110,8 @@ impl Strip {
         }
     }
 
-    /// Joins all trees that hold no shared basin; returns the passes that may join the others, between their roots.
+    /// Joins all trees that hold no shared basin; returns the passes that may join the others,
+    /// between their roots.
     fn join_inner<D: Domain>(mut self, basins: &Basins<D>, shared: &[bool], exits: &mut [Exit]) -> Vec<Pass> {
         let mut passes = std::mem::take(&mut self.passes);
         for pass in &mut passes {
@@ -180,7 +187,8 @@ impl<D: Domain> Basins<'_, D> {
         [self.label[node], self.label[self.domain.neighbour(node, pass.slot)]]
     }
 
-    /// Lets the tree on one side of a pass drain over it. `exits` are those of the basins from `first` on.
+    /// Lets the tree on one side of a pass drain over it. `exits` are those of the basins from
+    /// `first` on.
     fn leave_by(&self, pass: &Pass, side: usize, exits: &mut [Exit], first: u32) {
         let basins = self.of(pass);
         let over = Exit { node: pass.node, slot: pass.slot, to: basins[1] };
@@ -228,8 +236,8 @@ impl Forest {
         self.sets.root(x)
     }
 
-    /// Rounds in which each tree whose root `takes` joins another by its lowest pass: `join(pass, its side of it)`. Leaves the
-    /// passes between trees that remain.
+    /// Rounds in which each tree whose root `takes` joins another by its lowest pass:
+    /// `join(pass, its side of it)`. Leaves the passes between trees that remain.
     fn grow(&mut self, passes: &mut Vec<Pass>, takes: impl Fn(u32) -> bool, mut join: impl FnMut(&Pass, usize)) {
         loop {
             self.find_lowest(passes);

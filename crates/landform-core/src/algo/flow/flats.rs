@@ -1,11 +1,12 @@
 //! Level ground: flow away from higher ground, towards the drain.
 //!
-//! Nodes without a lower neighbour but with an equal one form flats. Each node of a flat is raised by a few units of the last
-//! place (of 1 m below 1 m): two for every step to the nearest node that drains, and one for every step by which it is nearer to
-//! higher ground than the flat's middle. Descent over the raised surface gathers water in the middle of flats and leads it out. A
-//! flat that drains nowhere (the floor of a pit) is led to its middle, where the pit then is (to its first node, if nothing
-//! around is higher). Where the next higher ground is nearer than what a flat would be raised by, equal nodes are ordered by
-//! their numbers, as all remaining ties are.
+//! Nodes without a lower neighbour but with an equal one form flats. Each node of a flat is raised
+//! by a few units of the last place (of 1 m below 1 m): two for every step to the nearest node that
+//! drains, and one for every step by which it is nearer to higher ground than the flat's middle.
+//! Descent over the raised surface gathers water in the middle of flats and leads it out. A flat
+//! that drains nowhere (the floor of a pit) is led to its middle, where the pit then is (to its
+//! first node, if nothing around is higher). Where the next higher ground is nearer than what a
+//! flat would be raised by, equal nodes are ordered by their numbers, as all remaining ties are.
 //!
 //! # Sources
 //! Garbrecht & Martz (1997); Barnes, Lehman & Mulla (2014b), which weighs the two gradients 2 : 1.
@@ -16,7 +17,8 @@ use super::pits::without_receiver;
 use crate::grid::{Domain, NO_SLOT, Status};
 use crate::parallel;
 
-/// The surface with its flats tilted, by a few units of the last place; none if there are none. **Cost** O(n).
+/// The surface with its flats tilted, by a few units of the last place; none if there are
+/// none. **Cost** O(n).
 pub fn tilt_flats<D: Domain>(domain: &D, elevation: &[f64]) -> Option<Vec<f64>> {
     let (mut receiver, mut slot) = (vec![0; elevation.len()], vec![0; elevation.len()]);
     domain.steepest_descent(elevation, &mut receiver, &mut slot);
@@ -24,7 +26,8 @@ pub fn tilt_flats<D: Domain>(domain: &D, elevation: &[f64]) -> Option<Vec<f64>> 
     flats.tilt(domain, elevation, &without_receiver(domain, &slot), &slot).then_some(flats.tilted)
 }
 
-/// Buffers that are kept from step to step: most steps find a few flats, and fresh memory would cost more than they do.
+/// Buffers that are kept from step to step: most steps find a few flats, and fresh memory would
+/// cost more than they do.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flats {
     is_level: Vec<bool>,
@@ -38,8 +41,8 @@ pub(super) struct Flats {
 }
 
 impl Flats {
-    /// Tilts the flats of a surface; whether there are any. `slot` is what steepest descent gave, `pits` where it ends. **Cost** O(n)
-    /// once to copy the surface, else O(pits).
+    /// Tilts the flats of a surface; whether there are any. `slot` is what steepest descent gave,
+    /// `pits` where it ends. **Cost** O(n) once to copy the surface, else O(pits).
     pub(super) fn tilt<D: Domain>(&mut self, domain: &D, elevation: &[f64], pits: &[usize], slot: &[u8]) -> bool {
         let equals = |i: usize| domain.neighbours(i).map(|l| l.to).filter(move |&j| elevation[j] == elevation[i]);
         // No neighbour of a pit is lower.
@@ -78,14 +81,15 @@ impl Flats {
     }
 }
 
-/// Twice the steps to the drain less the steps to higher ground (and a constant): falls by at least one with a step towards the
-/// drain.
+/// Twice the steps to the drain less the steps to higher ground (and a constant): falls by at least
+/// one with a step towards the drain.
 pub fn fall(to_drain: u32, to_rise: u32) -> u32 {
     (1 << 30) + 2 * to_drain - to_rise
 }
 
-/// Counts steps from the nearest of some nodes, which count 1, over nodes that are `joined`; `steps` has one value per node, 0
-/// where the count has not come. Returns the nodes reached, nearest first. **Cost** O(nodes reached).
+/// Counts steps from the nearest of some nodes, which count 1, over nodes that are `joined`;
+/// `steps` has one value per node, 0 where the count has not come. Returns the nodes reached,
+/// nearest first. **Cost** O(nodes reached).
 pub fn spread_steps<D: Domain>(
     domain: &D,
     joined: impl Fn(usize, usize) -> bool,

@@ -1,12 +1,13 @@
 //! Flow in any direction: D-infinity.
 //!
 //! # Method
-//! Around a node lie eight triangles. Water runs down the steepest of their slopes, and is shared between the triangle's two
-//! nodes by how close the direction is to each. The surface is that of the water, so that no water runs in a circle; where it is
-//! level (lakes, flats) and nothing is lower, water follows the receivers of [`Flow`].
+//! Around a node lie eight triangles. Water runs down the steepest of their slopes, and is shared
+//! between the triangle's two nodes by how close the direction is to each. The surface is that of
+//! the water, so that no water runs in a circle; where it is level (lakes, flats) and nothing is
+//! lower, water follows the receivers of [`Flow`].
 //!
-//! Area per width of contour is what is accumulated over the cell's side times max(|cos|, |sin|) of the direction: water on its
-//! way crosses one column (or row) at a time.
+//! Area per width of contour is what is accumulated over the cell's side times max(|cos|, |sin|) of
+//! the direction: water on its way crosses one column (or row) at a time.
 //!
 //! # Sources
 //! Tarboton (1997). Validation notes 2.14; written here for cells that need not be square.
@@ -15,8 +16,8 @@ use super::Flow;
 use crate::grid::{Domain, Grid, Neighbours, RasterDomain, Status};
 use crate::{math, parallel};
 
-/// Direction of flow from a node: the slots of a cardinal neighbour and of the diagonal one beside it, and the part that goes to
-/// the latter.
+/// Direction of flow from a node: the slots of a cardinal neighbour and of the diagonal one beside
+/// it, and the part that goes to the latter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Direction {
     /// Slot of the cardinal neighbour: 0 east, 2 north, 4 west, 6 south.
@@ -31,11 +32,13 @@ pub struct Direction {
     pub slope: f64,
 }
 
-/// Cardinal and diagonal slots of the eight facets, and the sign with which angles grow from the cardinal to the diagonal.
+/// Cardinal and diagonal slots of the eight facets, and the sign with which angles grow from the
+/// cardinal to the diagonal.
 const FACETS: [(u8, u8, f64); 8] =
     [(0, 1, 1.0), (2, 1, -1.0), (2, 3, 1.0), (4, 3, -1.0), (4, 5, 1.0), (6, 5, -1.0), (6, 7, 1.0), (0, 7, -1.0)];
 
-/// The direction of steepest descent (rad) at a node, if any neighbour is lower. Facets with a missing neighbour are left out.
+/// The direction of steepest descent (rad) at a node, if any neighbour is lower. Facets with a
+/// missing neighbour are left out.
 pub fn direction(domain: &RasterDomain, grid: &Grid, surface: &[f64], node: usize) -> Option<Direction> {
     let mut around = [f64::NAN; 8];
     for link in domain.neighbours(node) {
@@ -67,8 +70,9 @@ pub fn direction(domain: &RasterDomain, grid: &Grid, surface: &[f64], node: usiz
 }
 
 impl Flow {
-    /// Replaces `amount` (the amount of each node itself) by the amount that passes through each node along D-infinity. To be
-    /// called after [`Flow::route`] over the same elevation. **Cost** O(n log n).
+    /// Replaces `amount` (the amount of each node itself) by the amount that passes through each
+    /// node along D-infinity. To be called after [`Flow::route`] over the same elevation. **Cost**
+    /// O(n log n).
     pub fn accumulate_infinity(&self, domain: &RasterDomain, grid: &Grid, elevation: &[f64], amount: &mut [f64]) {
         let level = self.water_level(elevation);
         let status = domain.status();

@@ -11,8 +11,9 @@ const UNKNOWN: u32 = u32::MAX;
 /// Labels from here on mean ground beyond a seam: the k-th way out of the strip.
 const BEYOND: u32 = 0xc000_0000;
 
-/// Labels every node with its basin: 0 for nodes that drain to a base level (or are masked), 1.. for `pits`, in their order.
-/// Strips follow their own receivers side by side; ways over a seam are joined afterwards.
+/// Labels every node with its basin: 0 for nodes that drain to a base level (or are masked), 1..
+/// for `pits`, in their order. Strips follow their own receivers side by side; ways over a seam are
+/// joined afterwards.
 pub(super) fn label_basins(receiver: &[u32], pits: &[usize], cuts: &[Range<usize>], label: &mut [u32]) {
     let parts: Vec<_> = cuts.iter().zip(split(label, cuts)).collect();
     let exits = parallel::run_all(parts, |(strip, label)| label_strip(receiver, pits, strip, label));

@@ -2,29 +2,37 @@
 //!
 //! # Method
 //! 1. *Receivers*: steepest descent (drop over distance); level ground is tilted first ([`flats`]).
-//! 2. *Open pits*: for about half of the pits on rough ground the way out follows from their neighbours alone ([`pits`]).
+//! 2. *Open pits*: for about half of the pits on rough ground the way out follows from their
+//!    neighbours alone ([`pits`]).
 //! 3. *Basins*: follow receivers to an outlet or a pit ([`labels`]).
-//! 4. *Passes*: links between basins, thinned to those that can be the lowest between their two basins ([`passes`]).
-//! 5. *Exits*: minimum spanning tree of the basins by height of pass, all outlets as one root; Borůvka ([`exits`]).
-//! 6. *Carving*: in every lake the path from the exit down to the pit is turned round, so that it leads out ([`carve`]).
+//! 4. *Passes*: links between basins, thinned to those that can be the lowest between their two
+//!    basins ([`passes`]).
+//! 5. *Exits*: minimum spanning tree of the basins by height of pass, all outlets as one root;
+//!    Borůvka ([`exits`]).
+//! 6. *Carving*: in every lake the path from the exit down to the pit is turned round, so that it
+//!    leads out ([`carve`]).
 //! 7. *Order and accumulation*: donors before receivers, by counting donors ([`order`]).
 //!
-//! After routing, every node reaches an outlet, and the greatest elevation along its path is the level to which water must
-//! rise there: the flooding level of Priority-Flood (within the tilt of level ground, where passes differ by less).
+//! After routing, every node reaches an outlet, and the greatest elevation along its path is the
+//! level to which water must rise there: the flooding level of Priority-Flood (within the tilt of
+//! level ground, where passes differ by less).
 //!
-//! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are broken by slots and node
-//! numbers, which follow from geometry. Donors are added in an order that follows from the tree alone ([`order`]), and paths over
-//! the seams of strips ([`strips`]) are joined at the end. So the bits are the same for any division of the work and on any
-//! number of threads.
+//! O(n) time and, beyond the elevations, about 19 bytes a node and 24 a pass. Remaining ties are
+//! broken by slots and node numbers, which follow from geometry. Donors are added in an order that
+//! follows from the tree alone ([`order`]), and paths over the seams of strips ([`strips`]) are
+//! joined at the end. So the bits are the same for any division of the work and on any number of
+//! threads.
 //!
 //! # Sources
-//! Braun & Willett (2013) for receivers and order; Cordonnier, Bovy & Braun (2019), algorithms 1-5, for basins, passes and
-//! carving; Garbrecht & Martz (1997) and Barnes et al. (2014) for level ground. We differ in two points: pits and passes that are
-//! decided before basins are compared ([`pits`], [`passes`]), and ordering by donor counts. Bell's thesis finds lake exits by
-//! list scans in O(n²) and lets a lake flow two ways; neither is repeated here.
+//! Braun & Willett (2013) for receivers and order; Cordonnier, Bovy & Braun (2019), algorithms 1-5,
+//! for basins, passes and carving; Garbrecht & Martz (1997) and Barnes et al. (2014) for level
+//! ground. We differ in two points: pits and passes that are decided before basins are compared
+//! ([`pits`], [`passes`]), and ordering by donor counts. Bell's thesis finds lake exits by list
+//! scans in O(n²) and lets a lake flow two ways; neither is repeated here.
 //!
 //! # Checked by
-//! `tests`: every node drains, area is conserved, levels equal Priority-Flood exactly, numbering and threads do not matter.
+//! `tests`: every node drains, area is conserved, levels equal Priority-Flood exactly, numbering
+//! and threads do not matter.
 //!
 //! # Example
 //! On a ramp that falls to the east each row drains along itself:
@@ -110,8 +118,9 @@ impl Flow {
         Self { wanted: Some(strips), ..self }
     }
 
-    /// Routes flow over `elevation` (NaN on masked nodes) and accumulates: on return `amount` holds, for each node, the sum
-    /// of what it held at all nodes that drain through it, itself included (drainage area, if it held the nodes' areas).
+    /// Routes flow over `elevation` (NaN on masked nodes) and accumulates: on return `amount`
+    /// holds, for each node, the sum of what it held at all nodes that drain through it, itself
+    /// included (drainage area, if it held the nodes' areas).
     ///
     /// Nodes of a part of the domain without any base level keep their own lowest pit as an end.
     ///
@@ -122,8 +131,8 @@ impl Flow {
         self.strips = order::order_and_accumulate(&self.receiver, cuts, &mut self.marks, &mut self.order, amount);
     }
 
-    /// As [`Flow::route`], but each node drains to the neighbour and by the slot that `find` gives, which must be lower; none for
-    /// a pit.
+    /// As [`Flow::route`], but each node drains to the neighbour and by the slot that `find` gives,
+    /// which must be lower; none for a pit.
     pub fn route_by<D: Domain>(
         &mut self,
         domain: &D,
@@ -232,8 +241,8 @@ impl Flow {
         self.lakes
     }
 
-    /// The level to which water rises at each node before it can leave: the greatest elevation on its way out. Equal to the
-    /// elevation on land. NaN on masked nodes.
+    /// The level to which water rises at each node before it can leave: the greatest elevation on
+    /// its way out. Equal to the elevation on land. NaN on masked nodes.
     pub fn water_level(&self, elevation: &[f64]) -> Vec<f64> {
         let mut level = elevation.to_vec();
         self.up(&mut level, |_, own, below| own.max(below));

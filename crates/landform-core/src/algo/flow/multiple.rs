@@ -1,12 +1,14 @@
 //! Multiple flow: water that is shared among all lower neighbours.
 //!
 //! # Method
-//! Every node shares its amount among its lower neighbours in proportion to (slope)^p. Lower means by the level to which water
-//! rises, so that a lake passes all on along its carved path and no water runs in a circle. Nodes are taken from the highest
-//! level down; of equal levels donors come first.
+//! Every node shares its amount among its lower neighbours in proportion to (slope)^p. Lower means
+//! by the level to which water rises, so that a lake passes all on along its carved path and no
+//! water runs in a circle. Nodes are taken from the highest level down; of equal levels donors come
+//! first.
 //!
 //! # Sources
-//! Freeman (1991), with p = 1.1 there; Quinn et al. (1991) weigh by contour length instead, which is left out here.
+//! Freeman (1991), with p = 1.1 there; Quinn et al. (1991) weigh by contour length instead, which
+//! is left out here.
 
 use super::Flow;
 use crate::grid::Domain;
@@ -27,8 +29,9 @@ impl Flow {
         order
     }
 
-    /// Replaces `amount` (the amount of each node itself) by the amount that passes through each node, shared among all lower
-    /// neighbours. To be called after [`Flow::route`] over the same elevation. **Cost** O(n log n).
+    /// Replaces `amount` (the amount of each node itself) by the amount that passes through each
+    /// node, shared among all lower neighbours. To be called after [`Flow::route`] over the same
+    /// elevation. **Cost** O(n log n).
     pub fn accumulate_multiple<D: Domain>(&self, domain: &D, elevation: &[f64], exponent: f64, amount: &mut [f64]) {
         let level = self.water_level(elevation);
         let mut shares: Vec<(usize, f64)> = Vec::new();

@@ -1,12 +1,14 @@
 //! Donors before receivers, and sums down the flow, in one pass.
 //!
 //! # Method
-//! A scan over all nodes follows, from each node that waits for no donor, the chain of receivers as long as it runs through nodes
-//! that the scan has passed; so the order keeps to neighbours in memory. A donor gives when the scan stands at the highest index
-//! upstream of it: this *time* follows from the tree alone, and sums take donors in its order.
+//! A scan over all nodes follows, from each node that waits for no donor, the chain of receivers as
+//! long as it runs through nodes that the scan has passed; so the order keeps to neighbours in
+//! memory. A donor gives when the scan stands at the highest index upstream of it: this *time*
+//! follows from the tree alone, and sums take donors in its order.
 //!
-//! Strips scan side by side. Nodes downstream of a seam are left out; they are few, since streams join. Amounts that reach them
-//! are noted with their time and added at the end in order of time. So every sum is that of one scan over all, to the bit.
+//! Strips scan side by side. Nodes downstream of a seam are left out; they are few, since streams
+//! join. Amounts that reach them are noted with their time and added at the end in order of time.
+//! So every sum is that of one scan over all, to the bit.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

@@ -1,11 +1,13 @@
 //! Passes between basins.
 //!
-//! A link between two basins stands as high as its higher end. A fractal surface has almost as many such links as nodes; the
-//! minimum spanning tree needs few of them. Take the higher end v of a link and the neighbours of v that are lower. Those that
-//! touch form arcs. Within an arc one can walk from neighbour to neighbour below v, and v's own receiver lies in an arc, so a
-//! link from v into its receiver's arc closes a cycle on which it is the highest: it is not in the tree. Of the links into
-//! another arc one is enough, for the same reason. So only saddles, whose lower neighbours form several arcs, hold passes, and
-//! each as many as it has further arcs. There are about as many saddles as pits and peaks together.
+//! A link between two basins stands as high as its higher end. A fractal surface has almost as many
+//! such links as nodes; the minimum spanning tree needs few of them. Take the higher end v of a
+//! link and the neighbours of v that are lower. Those that touch form arcs. Within an arc one can
+//! walk from neighbour to neighbour below v, and v's own receiver lies in an arc, so a link from v
+//! into its receiver's arc closes a cycle on which it is the highest: it is not in the tree. Of the
+//! links into another arc one is enough, for the same reason. So only saddles, whose lower
+//! neighbours form several arcs, hold passes, and each as many as it has further arcs. There are
+//! about as many saddles as pits and peaks together.
 
 use std::ops::Range;
 

@@ -1,12 +1,13 @@
 //! Pits whose way out follows from their neighbours alone.
 //!
-//! Water in a pit must rise at least to the pit's lowest neighbour. If that neighbour does not drain into the pit itself,
-//! then it drains elsewhere (to come back it would have to pass another neighbour of the pit, and those are higher), so the
-//! link to it is the lowest pass that the pit's basin can have: an edge of the minimum spanning tree, found without looking
-//! at the basin's rim. On rough ground this settles about half of all pits before basins are even labelled.
+//! Water in a pit must rise at least to the pit's lowest neighbour. If that neighbour does not
+//! drain into the pit itself, then it drains elsewhere (to come back it would have to pass another
+//! neighbour of the pit, and those are higher), so the link to it is the lowest pass that the pit's
+//! basin can have: an edge of the minimum spanning tree, found without looking at the basin's rim.
+//! On rough ground this settles about half of all pits before basins are even labelled.
 //!
-//! Everywhere nodes are compared by (elevation, index): flats have an order, and no two nodes are equal. So no cycle can
-//! arise: each link taken is the lowest way out of its own basin.
+//! Everywhere nodes are compared by (elevation, index): flats have an order, and no two nodes are
+//! equal. So no cycle can arise: each link taken is the lowest way out of its own basin.
 
 use std::ops::Range;
 
@@ -23,8 +24,9 @@ struct Opened {
     slot: u8,
 }
 
-/// Gives pits on flats that could not be tilted the equal neighbour of lower index as receiver, and pits with an open way out
-/// that way. Returns how many pits there were, flats counted once, and leaves those in `pits` whose way out is not seen yet.
+/// Gives pits on flats that could not be tilted the equal neighbour of lower index as receiver, and
+/// pits with an open way out that way. Returns how many pits there were, flats counted once, and
+/// leaves those in `pits` whose way out is not seen yet.
 pub(super) fn open_pits<D: Domain>(
     domain: &D,
     elevation: &[f64],

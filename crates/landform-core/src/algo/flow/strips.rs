@@ -1,12 +1,13 @@
 //! Strips of nodes that are worked on side by side.
 //!
 //! # Method
-//! Nodes are cut into strips of neighbouring indices. Within a strip all values are found that need none from beyond its seams.
-//! Nodes downstream of a seam are done in one pass at the end; they are few, since streams join. The cut changes no bit: sums
-//! take donors in an order that does not depend on strips, and a value found upwards depends on the receiver's alone.
+//! Nodes are cut into strips of neighbouring indices. Within a strip all values are found that need
+//! none from beyond its seams. Nodes downstream of a seam are done in one pass at the end; they are
+//! few, since streams join. The cut changes no bit: sums take donors in an order that does not
+//! depend on strips, and a value found upwards depends on the receiver's alone.
 //!
-//! The number of strips follows from the number of nodes, not from that of threads, so that the order of nodes is the same on any
-//! machine.
+//! The number of strips follows from the number of nodes, not from that of threads, so that the
+//! order of nodes is the same on any machine.
 
 use std::ops::Range;
 
@@ -36,7 +37,8 @@ pub(super) fn split<'a, T>(mut values: &'a mut [T], strips: &[Range<usize>]) -> 
     parts
 }
 
-/// Brings a strip's values near in one sweep. Flow visits them in an order that no processor foresees, and would wait for each.
+/// Brings a strip's values near in one sweep. Flow visits them in an order that no processor
+/// foresees, and would wait for each.
 pub(super) fn fetch<T: Copy>(values: &[T]) {
     let line = (64 / size_of::<T>().max(1)).max(1);
     values.iter().step_by(line).for_each(|v| _ = std::hint::black_box(*v));
@@ -78,15 +80,17 @@ impl Strips {
 }
 
 impl Flow {
-    /// Finds values from the outlets upwards: `value(node, its own, its receiver's new one)` becomes the node's; nodes without a
-    /// receiver keep theirs. **Cost** O(n), strips side by side.
+    /// Finds values from the outlets upwards: `value(node, its own, its receiver's new one)`
+    /// becomes the node's; nodes without a receiver keep theirs. **Cost** O(n), strips side by
+    /// side.
     pub fn up<T: Copy + Send + Sync>(&self, values: &mut [T], value: impl Fn(usize, T, T) -> T + Sync) {
         let mut nothing = vec![(); values.len()];
         self.up_with(values, &mut nothing, |node, own, below, ()| value(node, own, below));
     }
 
-    /// As [`Flow::up`], with a second value of each node that is at hand where its first is found, and may change there:
-    /// `value(node, its own, its receiver's new one, its second)`. Memory that is used twice is fetched once.
+    /// As [`Flow::up`], with a second value of each node that is at hand where its first is found,
+    /// and may change there: `value(node, its own, its receiver's new one, its second)`. Memory
+    /// that is used twice is fetched once.
     ///
     /// ```
     /// use landform_core::algo::flow::{Flow, node_areas};
@@ -127,8 +131,9 @@ impl Flow {
         });
     }
 
-    /// Finds the values of nodes, the last of the order first; `part` and `seconds` hold those of the nodes from `first` on,
-    /// `beyond` what receivers outside of it have, by donor. One place that calls `value`, so that it becomes part of the loop.
+    /// Finds the values of nodes, the last of the order first; `part` and `seconds` hold those of
+    /// the nodes from `first` on, `beyond` what receivers outside of it have, by donor. One place
+    /// that calls `value`, so that it becomes part of the loop.
     fn climb<T: Copy, U: Copy>(
         &self,
         order: &[u32],
@@ -151,8 +156,9 @@ impl Flow {
         }
     }
 
-    /// Sums values from the divides downwards: each node's becomes its own and, in the order of slots, what its donors pass on:
-    /// `passed(donor, its sum)`. **Cost** O(n) looks at all neighbours, strips side by side.
+    /// Sums values from the divides downwards: each node's becomes its own and, in the order of
+    /// slots, what its donors pass on: `passed(donor, its sum)`. **Cost** O(n) looks at all
+    /// neighbours, strips side by side.
     pub fn down<D: Domain, T: Copy + Send + Sync>(
         &self,
         domain: &D,

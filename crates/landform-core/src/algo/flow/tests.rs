@@ -250,7 +250,8 @@ fn infinity_spreads_a_cone_as_it_should() {
         let r = crate::math::hypot(x, y);
         if r <= 95.0 { r } else { 190.0 - r }
     });
-    // A cell shows the flow the width of its larger step: water at an angle crosses one column (or row) at a time.
+    // A cell shows the flow the width of its larger step: water at an angle crosses one column (or
+    // row) at a time.
     let width = |i: usize| {
         let (x, y) = ((i % n) as f64 - 100.0, (i / n) as f64 - 100.0);
         x.abs().max(y.abs()) / crate::math::hypot(x, y)

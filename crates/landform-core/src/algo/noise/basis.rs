@@ -1,9 +1,9 @@
 //! The functions that fractals are summed from.
 //!
 //! # Sources
-//! Perlin (2002), our own kernel; the others by the `noise-functions` crate, in single precision (beyond some ten thousand waves
-//! from the origin their steps show): OpenSimplex2 (KdotJPG), value noise on a lattice, distance to the nearest of scattered
-//! points (Worley 1996).
+//! Perlin (2002), our own kernel; the others by the `noise-functions` crate, in single precision
+//! (beyond some ten thousand waves from the origin their steps show): OpenSimplex2 (KdotJPG), value
+//! noise on a lattice, distance to the nearest of scattered points (Worley 1996).
 
 use noise_functions::{CellDistance, OpenSimplex2, Sample, ValueCubic};
 use schemars::JsonSchema;

@@ -1,9 +1,10 @@
 //! Ground broken by faults.
 //!
 //! # Method
-//! Straight lines thrown at random (their number in a disc around the map is given, their directions even, their distances from
-//! the middle even: a Poisson process of lines); each lifts the ground on one side by a Gaussian throw. The sum of many is
-//! Brownian: H = ½. A width makes each step a smooth ramp. Along a row, ground beyond a ramp is added by running sums: cost
+//! Straight lines thrown at random (their number in a disc around the map is given, their
+//! directions even, their distances from the middle even: a Poisson process of lines); each lifts
+//! the ground on one side by a Gaussian throw. The sum of many is Brownian: H = ½. A width makes
+//! each step a smooth ramp. Along a row, ground beyond a ramp is added by running sums: cost
 //! O(faults × rows + nodes), not their product.
 //!
 //! # Sources

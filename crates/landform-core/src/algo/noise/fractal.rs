@@ -1,9 +1,9 @@
 //! Octaves of noise, summed in several ways.
 //!
 //! # Sources
-//! Musgrave, in Ebert et al. (2003), *Texturing & Modeling*, chapter 16: fBm, multifractal, hybrid and ridged multifractal;
-//! Pytel's thesis 2.1.5 for noise summing and for ridges as 1 − |noise|. Octaves are shifted against each other, because gradient
-//! noise is zero at every lattice point.
+//! Musgrave, in Ebert et al. (2003), *Texturing & Modeling*, chapter 16: fBm, multifractal, hybrid
+//! and ridged multifractal; Pytel's thesis 2.1.5 for noise summing and for ridges as 1 − |noise|.
+//! Octaves are shifted against each other, because gradient noise is zero at every lattice point.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -51,7 +51,8 @@ const OFFSET: f64 = 0.7;
 impl Fractal {
     /// Values in about [−1, 1] at many points, in units of the first octave's waves.
     ///
-    /// **Shape** `xs`, `ys` and `out` are of one length. **Cost** octaves × points; least where points lie in line.
+    /// **Shape** `xs`, `ys` and `out` are of one length. **Cost** octaves × points; least where
+    /// points lie in line.
     pub fn along(&self, seed: Seed, xs: &[f64], ys: &[f64], out: &mut [f64]) {
         let n = xs.len();
         let (mut fx, mut fy, mut noise, mut weight) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![1.0; n]);

@@ -1,8 +1,9 @@
 //! Gradient noise on a hashed lattice, and octaves of it.
 //!
 //! # Sources
-//! Perlin (2002): quintic fade. Gradients are unit vectors in 16 directions chosen by hash, so that there is no table and no
-//! period. Gradient noise is zero at every lattice point; octaves are therefore shifted against each other.
+//! Perlin (2002): quintic fade. Gradients are unit vectors in 16 directions chosen by hash, so that
+//! there is no table and no period. Gradient noise is zero at every lattice point; octaves are
+//! therefore shifted against each other.
 
 use crate::math::{floor, lerp};
 use crate::random::Seed;
@@ -38,8 +39,9 @@ pub fn gradient_noise(seed: Seed, x: f64, y: f64) -> f64 {
     within(corners.map(|(dx, dy)| direction(seed, x0 + dx, y0 + dy)), x - x0, y - y0)
 }
 
-/// Gradient noise at many points, lattice spacing 1. The gradients of a lattice cell are kept while points stay in it, so points
-/// in line cost a few operations each; the bits are those of [`gradient_noise`].
+/// Gradient noise at many points, lattice spacing 1. The gradients of a lattice cell are kept while
+/// points stay in it, so points in line cost a few operations each; the bits are those of
+/// [`gradient_noise`].
 pub(super) fn gradient_noise_along(seed: Seed, xs: &[f64], ys: &[f64], out: &mut [f64]) {
     let mut cell = [f64::NAN; 2];
     let mut g = [[0.0; 2]; 4];
@@ -63,7 +65,8 @@ fn direction(seed: Seed, x: f64, y: f64) -> [f64; 2] {
     DIRECTIONS[(seed.bits(key) >> 60) as usize]
 }
 
-/// Noise in a lattice cell from the gradients at its corners (south-west, south-east, north-west, north-east).
+/// Noise in a lattice cell from the gradients at its corners (south-west, south-east, north-west,
+/// north-east).
 fn within(g: [[f64; 2]; 4], fx: f64, fy: f64) -> f64 {
     let dot = |g: [f64; 2], dx: f64, dy: f64| g[0] * (fx - dx) + g[1] * (fy - dy);
     let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
@@ -72,7 +75,8 @@ fn within(g: [[f64; 2]; 4], fx: f64, fy: f64) -> f64 {
         * lerp(lerp(dot(g[0], 0.0, 0.0), dot(g[1], 1.0, 0.0), u), lerp(dot(g[2], 0.0, 1.0), dot(g[3], 1.0, 1.0), u), v)
 }
 
-/// Octaves of gradient noise, each `lacunarity` times finer and `gain` times weaker; in about [−1, 1].
+/// Octaves of gradient noise, each `lacunarity` times finer and `gain` times weaker; in about [−1,
+/// 1].
 pub fn fbm(seed: Seed, x: f64, y: f64, octaves: u32, lacunarity: f64, gain: f64) -> f64 {
     let (mut sum, mut total, mut amplitude, mut frequency) = (0.0, 0.0, 1.0, 1.0);
     for octave in 0..octaves {

@@ -1,21 +1,23 @@
 //! Random midpoint displacement: diamond-square, and 4-8 subdivision.
 //!
 //! # Method
-//! A lattice of coarse heights is refined in half-steps. Each puts a new node into the middle of every square of the lattice,
-//! which is straight and turned by 45 degrees in turn, and moves it by a Gaussian offset whose variance falls by 2^−H from one
-//! half-step to the next.
+//! A lattice of coarse heights is refined in half-steps. Each puts a new node into the middle of
+//! every square of the lattice, which is straight and turned by 45 degrees in turn, and moves it by
+//! a Gaussian offset whose variance falls by 2^−H from one half-step to the next.
 //!
-//! *Diamond-square* takes the mean of a square's corners and never moves a node again: peaks stay sharp and bumps recur at the
-//! coarse nodes. *4-8 subdivision* takes the same mean for the new node and moves the old ones to ½ of themselves and ⅛ of each
-//! of their four neighbours, so that the surface without offsets is smooth (C⁴). The rim is refined as a cubic spline: midpoints,
+//! *Diamond-square* takes the mean of a square's corners and never moves a node again: peaks stay
+//! sharp and bumps recur at the coarse nodes. *4-8 subdivision* takes the same mean for the new
+//! node and moves the old ones to ½ of themselves and ⅛ of each of their four neighbours, so that
+//! the surface without offsets is smooth (C⁴). The rim is refined as a cubic spline: midpoints,
 //! then ¾ and ⅛ and ⅛. Nodes of the coarse lattice may be held.
 //!
-//! Neither gives the Hurst exponent with which its offsets fall: nodes that are never moved again, and masks that smooth, change
-//! the spectrum. Offsets fall by an exponent that was found so that spectra have the one asked for ([`Subdivision::decay`]).
+//! Neither gives the Hurst exponent with which its offsets fall: nodes that are never moved again,
+//! and masks that smooth, change the spectrum. Offsets fall by an exponent that was found so that
+//! spectra have the one asked for ([`Subdivision::decay`]).
 //!
 //! # Sources
-//! Fournier, Fussell & Carpenter (1982); Miller (1986) for the artefacts; Velho & Zorin (2001); masks from validation notes 2.16;
-//! Pytel's thesis 2.1.5.
+//! Fournier, Fussell & Carpenter (1982); Miller (1986) for the artefacts; Velho & Zorin (2001);
+//! masks from validation notes 2.16; Pytel's thesis 2.1.5.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -36,8 +38,8 @@ pub enum Subdivision {
 }
 
 impl Subdivision {
-    /// The H of 2^−H by which offsets fall so that the surface has this Hurst exponent. Fitted to the spectra of surfaces of 513²
-    /// nodes between H = 0.5 and 0.9.
+    /// The H of 2^−H by which offsets fall so that the surface has this Hurst exponent. Fitted to
+    /// the spectra of surfaces of 513² nodes between H = 0.5 and 0.9.
     fn decay(self, hurst: f64) -> f64 {
         match self {
             Self::DiamondSquare => 0.070 + 1.013 * hurst,
@@ -124,7 +126,8 @@ impl Lattice {
         z[self.shape.index(r, c)]
     }
 
-    /// New values of the rows that hold nodes, computed from the old ones; `f` gives none where a node stays.
+    /// New values of the rows that hold nodes, computed from the old ones; `f` gives none where a
+    /// node stays.
     fn renew(&self, z: &mut [f64], first: usize, by: usize, f: impl Fn(&[f64], usize, usize) -> Option<f64> + Sync) {
         let (rows, cols, half) = (self.shape.rows, self.shape.cols, self.step / 2);
         let of_row = |k: usize| first + k * by;
@@ -141,8 +144,9 @@ impl Lattice {
         }
     }
 
-    /// Old nodes of the straight lattice: ½ and four times ⅛ of the neighbours along the axes. The new nodes still to come are
-    /// means of the corners as they were, so centres must be made from what this replaces: they are put in first.
+    /// Old nodes of the straight lattice: ½ and four times ⅛ of the neighbours along the axes. The
+    /// new nodes still to come are means of the corners as they were, so centres must be made from
+    /// what this replaces: they are put in first.
     fn smooth_straight(&self, z: &mut [f64]) {
         let s = self.step;
         // Centres first, from the corners before they move.
@@ -182,13 +186,14 @@ impl Lattice {
         if deviation == 0.0 {
             return 0.0;
         }
-        // Keyed by place on the lattice of half-steps, so that more levels add detail and move nothing.
+        // Keyed by place on the lattice of half-steps, so that more levels add detail and move
+        // nothing.
         let h = self.step / 2;
         deviation * seed.normal_pair(((r / h) as u64) << 32 | (c / h) as u64).0
     }
 
-    /// Old nodes of the turned lattice (the straight one's and the centres): ½ and four times ⅛ of the diagonal neighbours; the
-    /// rim as a spline.
+    /// Old nodes of the turned lattice (the straight one's and the centres): ½ and four times ⅛ of
+    /// the diagonal neighbours; the rim as a spline.
     fn smooth_turned(&self, z: &mut [f64]) {
         let (s, h) = (self.step, self.step / 2);
         self.edges(z, |mean, _, _| mean);
@@ -214,7 +219,8 @@ impl Lattice {
         });
     }
 
-    /// Nodes in the middles of the turned squares: the edges of the straight lattice. On the rim a turned square lacks a corner.
+    /// Nodes in the middles of the turned squares: the edges of the straight lattice. On the rim a
+    /// turned square lacks a corner.
     fn edges(&self, z: &mut [f64], f: impl Fn(f64, usize, usize) -> f64 + Sync) {
         let (s, h) = (self.step, self.step / 2);
         self.renew(z, 0, h, |z, r, c| {
@@ -282,7 +288,8 @@ mod tests {
             let (r, c) = (i / n, i % n);
             assert!((z[i] - z[c * n + r]).abs() < 1e-14 && (z[i] - z[r * n + n - 1 - c]).abs() < 1e-14);
         }
-        // Fourth differences fall with the fourth power of the spacing where a surface is C⁴; a peak's do not.
+        // Fourth differences fall with the fourth power of the spacing where a surface is C⁴; a
+        // peak's do not.
         let sharpest = |z: &[f64], step: usize| {
             let row = &z[(n / 2) * n..(n / 2 + 1) * n];
             (2 * step..n - 2 * step)

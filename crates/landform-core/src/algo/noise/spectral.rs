@@ -1,22 +1,24 @@
 //! Surfaces made in the plane of wave numbers.
 //!
 //! # Method
-//! Complex Gaussian coefficients on a half-plane with standard deviation |k|^−(H+1), their conjugates on the other, inverse
-//! transform. Draws are keyed by wave number, so that a finer raster adds waves and keeps those that were there. The surface is
-//! periodic.
+//! Complex Gaussian coefficients on a half-plane with standard deviation |k|^−(H+1), their
+//! conjugates on the other, inverse transform. Draws are keyed by wave number, so that a finer
+//! raster adds waves and keeps those that were there. The surface is periodic.
 //!
 //! # Sources
-//! Saupe (1988), SpectralSynthesisFM2D; exponent 2H + 2 in two dimensions (validation notes 1.5; Pytel's thesis writes 2H + 1,
-//! that of a profile).
+//! Saupe (1988), SpectralSynthesisFM2D; exponent 2H + 2 in two dimensions (validation notes 1.5;
+//! Pytel's thesis writes 2H + 1, that of a profile).
 
 use crate::algo::fourier::{Coefficients, inverse, signed};
 use crate::grid::Shape;
 use crate::random::Seed;
 use crate::{math, parallel};
 
-/// A periodic surface of Hurst exponent `hurst`, row-major, of any size; mean 0, amplitude not normalised.
+/// A periodic surface of Hurst exponent `hurst`, row-major, of any size; mean 0, amplitude not
+/// normalised.
 ///
-/// `spacing` (m) makes waves alike along both axes where cells are not square. **Cost** O(n log n); 24 bytes a node at its peak.
+/// `spacing` (m) makes waves alike along both axes where cells are not square. **Cost** O(n log n);
+/// 24 bytes a node at its peak.
 pub fn spectral_surface(shape: Shape, spacing: [f64; 2], hurst: f64, seed: Seed) -> Vec<f64> {
     let mut coefficients = Coefficients::zero(shape);
     let (rows, cols) = (shape.rows, shape.cols);
@@ -49,8 +51,8 @@ pub fn spectral_surface(shape: Shape, spacing: [f64; 2], hurst: f64, seed: Seed)
     inverse(coefficients)
 }
 
-/// Shape of the periodic surface that [`self_affine`] cuts from: twice the longer side both ways, so that it follows from the
-/// extent and not from the cells.
+/// Shape of the periodic surface that [`self_affine`] cuts from: twice the longer side both ways,
+/// so that it follows from the extent and not from the cells.
 pub fn surroundings(shape: Shape, spacing: [f64; 2]) -> Shape {
     let sides = [(shape.cols - 1) as f64 * spacing[0], (shape.rows - 1) as f64 * spacing[1]];
     let longer = 2.0 * sides[0].max(sides[1]);
@@ -58,8 +60,9 @@ pub fn surroundings(shape: Shape, spacing: [f64; 2]) -> Shape {
     Shape::new(nodes(1, shape.rows), nodes(0, shape.cols))
 }
 
-/// A self-affine surface on the north-western part of a periodic one of at least twice the size, so that its sides do not match;
-/// mean 0 and standard deviation 1 over the part (all 0 for a single node).
+/// A self-affine surface on the north-western part of a periodic one of at least twice the size, so
+/// that its sides do not match; mean 0 and standard deviation 1 over the part (all 0 for a single
+/// node).
 pub fn self_affine(shape: Shape, spacing: [f64; 2], hurst: f64, seed: Seed) -> Vec<f64> {
     let whole_shape = surroundings(shape, spacing);
     let whole = spectral_surface(whole_shape, spacing, hurst, seed);

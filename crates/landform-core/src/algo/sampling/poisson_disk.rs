@@ -1,14 +1,15 @@
 //! Poisson-disk sampling of a rectangle, with evenly spaced nodes along its border.
 //!
 //! # Method
-//! Bridson's dart throwing from an active list, k = 30 candidates uniform in the area of the annulus [r, 2r], on a
-//! background grid of r/√2. The border is laid first, at spacings of at least r and, for sides longer than a few r, below
-//! √2·r: then no inner node lies in a border edge's diametral circle, so that every Voronoi cell ends at the rectangle and
-//! the hull *is* the rectangle.
+//! Bridson's dart throwing from an active list, k = 30 candidates uniform in the area of the
+//! annulus [r, 2r], on a background grid of r/√2. The border is laid first, at spacings of at least
+//! r and, for sides longer than a few r, below √2·r: then no inner node lies in a border edge's
+//! diametral circle, so that every Voronoi cell ends at the rectangle and the hull *is* the
+//! rectangle.
 //!
 //! # Sources
-//! Bridson (2007). Bell's thesis (chapter 3) looks one cell away for conflicts; with cells of r/√2 it has to be two, or a
-//! quarter of the points come too close (validation notes 2.10).
+//! Bridson (2007). Bell's thesis (chapter 3) looks one cell away for conflicts; with cells of r/√2
+//! it has to be two, or a quarter of the points come too close (validation notes 2.10).
 
 use crate::random::{Draws, Seed};
 use crate::{Error, Result};
@@ -20,22 +21,25 @@ const DENSITY: f64 = 0.615;
 const MOST_POINTS: f64 = 2e7;
 const FREE: [f64; 2] = [f64::INFINITY; 2];
 
-/// The least distance at which a rectangle of `size` gets about `count` nodes (to about 1 % from 1,000 nodes up).
+/// The least distance at which a rectangle of `size` gets about `count` nodes (to about 1 % from
+/// 1,000 nodes up).
 pub fn spacing_for_count(size: [f64; 2], count: usize) -> f64 {
     let (area, half_border) = (size[0] * size[1], size[0] + size[1]);
-    // Border nodes stand at 1/r a metre and keep inner ones away: the count is DENSITY a/r² + c b/r.
+    // Border nodes stand at 1/r a metre and keep inner ones away: the count is DENSITY a/r² + c
+    // b/r.
     const BORDER: f64 = 1.16;
     let b = BORDER * half_border;
     (b + (b * b + 4.0 * count as f64 * DENSITY * area).sqrt()) / (2.0 * count as f64)
 }
 
-/// Points at least `spacing` apart in [0, size.x] × [0, size.y], border nodes first, none left out where one fits (all but
-/// a few per cent of the plane is within `spacing` of a point).
+/// Points at least `spacing` apart in [0, size.x] × [0, size.y], border nodes first, none left out
+/// where one fits (all but a few per cent of the plane is within `spacing` of a point).
 ///
 /// **Cost** O(n), about 0.2 s for 10⁵.
 ///
 /// # Errors
-/// [`Error::Parameter`] for sizes that are not positive, a spacing above half of a side, or more than 2·10⁷ points.
+/// [`Error::Parameter`] for sizes that are not positive, a spacing above half of a side, or more
+/// than 2·10⁷ points.
 pub fn poisson_disk(size: [f64; 2], spacing: f64, seed: Seed) -> Result<Vec<[f64; 2]>> {
     if size.iter().any(|s| !(s.is_finite() && *s > 0.0)) {
         return Err(Error::parameter("size", format!("{} x {} m", size[0], size[1]), "> 0 m"));
@@ -100,7 +104,8 @@ impl Sampler {
         self.points.push(p);
     }
 
-    /// No cell farther away holds a point within the spacing; the four corners of the block do not either.
+    /// No cell farther away holds a point within the spacing; the four corners of the block do not
+    /// either.
     fn is_free(&self, p: [f64; 2]) -> bool {
         let centre = self.cell_of(p);
         let r2 = self.spacing * self.spacing;

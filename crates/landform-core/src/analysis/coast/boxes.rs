@@ -1,13 +1,14 @@
 //! Counting the boxes that lines pass through.
 //!
 //! # Method
-//! Boxes of a square lattice, counted for four positions of the lattice; the mean of the four. Sizes grow by √2
-//! up to an eighth of the extent.
+//! Boxes of a square lattice, counted for four positions of the lattice; the mean of the four.
+//! Sizes grow by √2 up to an eighth of the extent.
 
 use super::{Dimension, extent, length};
 use crate::math;
 
-/// Number of boxes of side `size` (m) that lines pass through, the mean of four positions of the lattice.
+/// Number of boxes of side `size` (m) that lines pass through, the mean of four positions of the
+/// lattice.
 pub fn box_counts(lines: &[&[[f64; 2]]], size: f64) -> f64 {
     let counts = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5], [0.5, 0.5]].map(|shift| {
         let mut boxes: Vec<(i64, i64)> = Vec::new();
@@ -51,8 +52,9 @@ fn cross(a: [f64; 2], b: [f64; 2], boxes: &mut Vec<(i64, i64)>) {
     }
 }
 
-/// The dimension by boxes from `least` (m) to an eighth of the lines' extent, or `most`; none if fewer than four sizes fit, or
-/// `least` is so small that more than ten million boxes would be counted.
+/// The dimension by boxes from `least` (m) to an eighth of the lines' extent, or `most`; none if
+/// fewer than four sizes fit, or `least` is so small that more than ten million boxes would be
+/// counted.
 pub fn dimension_by_boxes(lines: &[&[[f64; 2]]], least: f64, most: f64) -> Option<Dimension> {
     if !(least > 1e-7 * lines.iter().map(|l| length(l)).sum::<f64>()) {
         return None;

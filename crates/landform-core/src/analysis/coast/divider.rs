@@ -1,8 +1,9 @@
 //! Walking along a line with a pair of compasses.
 //!
 //! # Method
-//! From the first point to the next place where the line leaves the circle of the step's radius, and so on; what is left at the
-//! end counts as a part of a step. D is minus the slope of ln N on ln s over steps that grow by √2.
+//! From the first point to the next place where the line leaves the circle of the step's radius,
+//! and so on; what is left at the end counts as a part of a step. D is minus the slope of ln N on
+//! ln s over steps that grow by √2.
 //!
 //! # Sources
 //! Richardson (1961); Mandelbrot (1967).
@@ -24,7 +25,8 @@ pub fn divider_steps(points: &[[f64; 2]], step: f64) -> f64 {
     steps + math::hypot(last[0] - at[0], last[1] - at[1]) / step
 }
 
-/// Segment and part of it at which the line next leaves the circle around `at`, on or after a place on it.
+/// Segment and part of it at which the line next leaves the circle around `at`, on or after a place
+/// on it.
 fn next_step(points: &[[f64; 2]], at: [f64; 2], step: f64, segment: usize, part: f64) -> Option<(usize, f64)> {
     let mut from = part;
     for k in segment..points.len() - 1 {
@@ -54,8 +56,9 @@ fn leaves(centre: [f64; 2], a: [f64; 2], b: [f64; 2], radius: f64, from: f64) ->
     (t > from && t <= 1.0).then_some(t)
 }
 
-/// The dimension over steps from `least` to a quarter of the line's extent, or `most`; none if fewer than four steps fit, or
-/// `least` is so small that a walk would take more than ten million steps.
+/// The dimension over steps from `least` to a quarter of the line's extent, or `most`; none if
+/// fewer than four steps fit, or `least` is so small that a walk would take more than ten million
+/// steps.
 pub fn dimension_by_divider(points: &[[f64; 2]], least: f64, most: f64) -> Option<Dimension> {
     if !(least > 1e-7 * length(points)) {
         return None;

@@ -1,9 +1,10 @@
 //! Coasts: level sets, islands and the fractal dimension of their outlines.
 //!
 //! # Sources
-//! Richardson (1961) and Mandelbrot (1967) for the divider; the level set of a self-affine surface of Hurst exponent H is
-//! self-similar with dimension 2 − H (Pytel's thesis 2.1.3), which counting on a raster of 1024² nodes reads as 1.56, 1.40, 1.24,
-//! 1.12 for H = 0.3, 0.5, 0.7, 0.9 (validation notes 1.0).
+//! Richardson (1961) and Mandelbrot (1967) for the divider; the level set of a self-affine surface
+//! of Hurst exponent H is self-similar with dimension 2 − H (Pytel's thesis 2.1.3), which counting
+//! on a raster of 1024² nodes reads as 1.56, 1.40, 1.24, 1.12 for H = 0.3, 0.5, 0.7, 0.9
+//! (validation notes 1.0).
 
 mod boxes;
 mod divider;

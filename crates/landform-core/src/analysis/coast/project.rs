@@ -1,7 +1,8 @@
 //! From degrees to metres over a whole country.
 //!
 //! # Sources
-//! Lambert's azimuthal equal-area projection (Snyder 1987, p. 185) on the sphere of the Earth's area, radius 6371.007 km.
+//! Lambert's azimuthal equal-area projection (Snyder 1987, p. 185) on the sphere of the Earth's
+//! area, radius 6371.007 km.
 
 use crate::math;
 

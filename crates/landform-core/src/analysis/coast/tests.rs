@@ -40,7 +40,8 @@ fn kochs_curve_and_a_straight_line_have_their_dimensions() {
 
 #[test]
 fn level_sets_read_what_the_calibration_reads() {
-    // FB5: 2 − H = 1.70, 1.50, 1.30, 1.10 is read as 1.56, 1.40, 1.24, 1.12 by a plain count of boxes at 1024².
+    // FB5: 2 − H = 1.70, 1.50, 1.30, 1.10 is read as 1.56, 1.40, 1.24, 1.12 by a plain count of
+    // boxes at 1024².
     let shape = Shape::new(1024, 1024);
     let grid = Grid::new(shape, [1.0, 1.0]).unwrap();
     for (hurst, reads) in [(0.3, 1.56), (0.5, 1.40), (0.7, 1.24), (0.9, 1.12)] {

@@ -19,7 +19,8 @@ pub(super) struct Channels {
     pub(super) near_45: f64,
 }
 
-/// The channels of a raster, on `least` nodes of area and more, where ground slopes; none where there are none.
+/// The channels of a raster, on `least` nodes of area and more, where ground slopes; none where
+/// there are none.
 pub(super) fn channels<D: Domain>(
     grid: &Grid,
     drainage: &Drainage<D>,

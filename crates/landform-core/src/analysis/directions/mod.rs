@@ -1,13 +1,13 @@
 //! Whether the ground shows the lattice that it was made on, or one slope everywhere.
 //!
 //! # Method
-//! Ground on a lattice drains in eight directions: its slopes face eight ways, its rivers run straight, its hillsides are planes.
-//! Each number has the range that it takes on real ground. They hold for cells of 9 m or more and a mean slope of 8° or more;
-//! slopes below 8° face anywhere.
+//! Ground on a lattice drains in eight directions: its slopes face eight ways, its rivers run
+//! straight, its hillsides are planes. Each number has the range that it takes on real ground. They
+//! hold for cells of 9 m or more and a mean slope of 8° or more; slopes below 8° face anywhere.
 //!
 //! # Sources
-//! Ranges: least and greatest value over crops of 512² nodes of ten real places; Horn (1981) for slope and aspect; O'Callaghan &
-//! Mark (1984) for the eight directions of channels.
+//! Ranges: least and greatest value over crops of 512² nodes of ten real places; Horn (1981) for
+//! slope and aspect; O'Callaghan & Mark (1984) for the eight directions of channels.
 
 mod aspects;
 mod channels;
@@ -87,7 +87,8 @@ const GATES: [(&str, f64, f64, &str); 11] = [
     ("slope_area_r2", 0.16, 0.97, "R2 of slope against area: above where nothing disturbs the law of rivers."),
 ];
 
-/// Measures the directions of a raster of elevations (m), with its network as it was measured. **Cost** O(n log n).
+/// Measures the directions of a raster of elevations (m), with its network as it was
+/// measured. **Cost** O(n log n).
 pub fn directions<D: Domain>(grid: &Grid, z: &[f64], drainage: &Drainage<D>, network: &Network) -> Directions {
     let slopes = parallel::map(z.len(), |i| math::atan(gradient(grid, z, i).slope()).to_degrees());
     // Water has no slope.

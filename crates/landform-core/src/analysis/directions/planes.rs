@@ -8,7 +8,8 @@ const FLAT: f64 = 0.03;
 /// Share of hollows and of crests that are the sharpest.
 const SHARPEST: f64 = 0.05;
 
-/// The share of some nodes around which ground is a plane over five by five nodes; none of no nodes.
+/// The share of some nodes around which ground is a plane over five by five nodes; none of no
+/// nodes.
 pub(super) fn plane_share(grid: &Grid, z: &[f64], nodes: &[usize]) -> Option<f64> {
     let (rows, cols) = (grid.shape.rows, grid.shape.cols);
     let is_flat = |node: usize| {
@@ -37,7 +38,8 @@ pub(super) fn plane_share(grid: &Grid, z: &[f64], nodes: &[usize]) -> Option<f64
     (flat + other > 0.0).then(|| flat / (flat + other))
 }
 
-/// Mean curvature of the sharpest hollows over that of the sharpest crests, by the Laplacian; none where either is missing.
+/// Mean curvature of the sharpest hollows over that of the sharpest crests, by the Laplacian; none
+/// where either is missing.
 pub(super) fn sharpness(shape: Shape, z: &[f64], nodes: &[usize]) -> Option<f64> {
     let cols = shape.cols;
     let mut curved = parallel::map(nodes.len(), |k| {

@@ -1,8 +1,9 @@
 //! Elevation against χ.
 //!
 //! # Method
-//! χ is the integral of (1 km² / A)^θ along the flow from the outlet of the largest basin, by the trapezoid rule, over channel
-//! nodes. On a landscape in balance with even uplift and rock, elevation is linear in χ and all tributaries fall on one line.
+//! χ is the integral of (1 km² / A)^θ along the flow from the outlet of the largest basin, by the
+//! trapezoid rule, over channel nodes. On a landscape in balance with even uplift and rock,
+//! elevation is linear in χ and all tributaries fall on one line.
 //!
 //! # Sources
 //! Perron & Royden (2013). A0 = 1 km²; the slope of the line times A0^θ is the steepness k_sn.
@@ -34,7 +35,8 @@ pub struct Chi {
     pub trunk: usize,
 }
 
-/// The plot from elevations without depressions; none with fewer than ten channel nodes. **Cost** O(n).
+/// The plot from elevations without depressions; none with fewer than ten channel nodes. **Cost**
+/// O(n).
 pub fn chi_profile<D: Domain>(drainage: &Drainage<D>, carved: &[f64], least: f64) -> Option<Chi> {
     let (area, receivers) = (&drainage.area, drainage.flow.receivers());
     let outlet = (0..area.len()).fold(0, |best, i| if area[i] > area[best] { i } else { best });

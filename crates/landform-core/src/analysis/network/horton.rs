@@ -1,12 +1,13 @@
 //! Orders of streams and Horton's ratios.
 //!
 //! # Method
-//! A stream is a chain of one order; its length counts the step into the next stream, its area is that of its last node. A ratio
-//! is ten to the amount of the slope of the logarithm of number, mean length or mean area on order, from three orders on.
+//! A stream is a chain of one order; its length counts the step into the next stream, its area is
+//! that of its last node. A ratio is ten to the amount of the slope of the logarithm of number,
+//! mean length or mean area on order, from three orders on.
 //!
 //! # Sources
-//! Horton (1945); Strahler (1957). Kirchner (1993): almost any network has such ratios, random ones too; they distinguish no
-//! kinds of network.
+//! Horton (1945); Strahler (1957). Kirchner (1993): almost any network has such ratios, random ones
+//! too; they distinguish no kinds of network.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Drainage networks as numbers.
 //!
-//! Definitions are those of the reference measurements (docs/real_ground): every estimator was first tested on objects of known
-//! exponents, and its bias is documented with it.
+//! Definitions are those of the reference measurements (docs/real_ground): every estimator was
+//! first tested on objects of known exponents, and its bias is documented with it.
 
 mod chi;
 mod horton;
@@ -31,13 +31,13 @@ pub struct Network {
     pub chi: Option<Chi>,
     /// Orders and Horton's ratios.
     pub horton: Horton,
-    /// Length of channels that drain 1 km² or more over the area, 1/km; none where 1 km² is less than 20 nodes or the ground less
-    /// than 10 km².
+    /// Length of channels that drain 1 km² or more over the area, 1/km; none where 1 km² is less
+    /// than 20 nodes or the ground less than 10 km².
     pub drainage_density: Option<f64>,
 }
 
-/// Least drainage area of what is called a channel for slopes and χ, m²: 1 km², but at least 20 nodes; a hundredth of the
-/// greatest area if there would be less than a factor of 20 above.
+/// Least drainage area of what is called a channel for slopes and χ, m²: 1 km², but at least 20
+/// nodes; a hundredth of the greatest area if there would be less than a factor of 20 above.
 pub fn channel_area(greatest: f64, node: f64) -> f64 {
     let usual = 1e6_f64.max(20.0 * node);
     if greatest < 20.0 * usual { (greatest / 100.0).max(20.0 * node) } else { usual }
@@ -64,8 +64,8 @@ pub fn network<D: Domain>(drainage: &Drainage<D>, z: &[f64]) -> Network {
     }
 }
 
-/// Elevation (m) with every depression cut through: the least elevation met upstream of or at each node, so that nothing rises
-/// downstream.
+/// Elevation (m) with every depression cut through: the least elevation met upstream of or at each
+/// node, so that nothing rises downstream.
 pub fn carved<D: Domain>(drainage: &Drainage<D>, z: &[f64]) -> Vec<f64> {
     let mut carved = z.to_vec();
     for &i in drainage.flow.order() {

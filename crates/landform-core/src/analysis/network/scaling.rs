@@ -1,13 +1,15 @@
 //! How drainage areas and stream lengths are distributed: the exponents of river networks.
 //!
 //! # Method
-//! Over all nodes, by tenths of a decade. β from P(A ≥ a) ~ a^−β between 8 nodes and a twelfth (or a hundredth) of the greatest
-//! area; h from bin means of log L against log A between 20 nodes and half of the greatest area (Hack's law), bins with at least
-//! 10 nodes; ψ from P(L ≥ l) ~ l^−ψ between 5 node distances and a quarter of the greatest length. L is the longest way upstream.
+//! Over all nodes, by tenths of a decade. β from P(A ≥ a) ~ a^−β between 8 nodes and a twelfth (or
+//! a hundredth) of the greatest area; h from bin means of log L against log A between 20 nodes and
+//! half of the greatest area (Hack's law), bins with at least 10 nodes; ψ from P(L ≥ l) ~ l^−ψ
+//! between 5 node distances and a quarter of the greatest length. L is the longest way upstream.
 //!
 //! # Sources
-//! Rodriguez-Iturbe & Rinaldo (1997), *Fractal River Basins*; Hack (1957); Maritan et al. (1996) for ψ = β/h and β + h = 1.
-//! Finite size raises β by about 0.045 (to a hundredth: 0.015 to 0.02): compare with objects of known exponents.
+//! Rodriguez-Iturbe & Rinaldo (1997), *Fractal River Basins*; Hack (1957); Maritan et al. (1996)
+//! for ψ = β/h and β + h = 1. Finite size raises β by about 0.045 (to a hundredth: 0.015 to 0.02):
+//! compare with objects of known exponents.
 //!
 //! # Checked by
 //! `tests`: Scheidegger's and Peano's networks (DN9).
@@ -143,7 +145,8 @@ mod tests {
 
     /// Peano's basin after so many generations: areas and lengths of its links.
     fn peano(generations: u32) -> (Vec<f64>, Vec<f64>) {
-        // Each link becomes a chain of two with two side links at the middle: (area, length) of all nodes, outlet last.
+        // Each link becomes a chain of two with two side links at the middle: (area, length) of all
+        // nodes, outlet last.
         fn grow(level: u32, above: (f64, f64), out: &mut Vec<(f64, f64)>) -> (f64, f64) {
             if level == 0 {
                 let link = (above.0 + 1.0, above.1 + 1.0);
@@ -162,7 +165,8 @@ mod tests {
 
     #[test]
     fn the_exponents_of_known_networks_are_found() {
-        // DN9. Scheidegger: 1/3, 2/3; Peano: 1/2, 1/2. ψ = β/h. Finite size raises β over the usual range by about 0.05.
+        // DN9. Scheidegger: 1/3, 2/3; Peano: 1/2, 1/2. ψ = β/h. Finite size raises β over the usual
+        // range by about 0.05.
         let (mut mean, mut short) = ([0.0; 3], 0.0);
         for seed in 1..=3 {
             let (area, length) = scheidegger(600, 500, seed);

@@ -1,11 +1,13 @@
 //! Slope against drainage area: the signature of rivers.
 //!
 //! # Method
-//! Nodes in bins of a tenth of a decade of drainage area. The slope of a bin is the sum of its drops over the sum of its steps,
-//! on elevations in which depressions are cut through, so that no step rises.
+//! Nodes in bins of a tenth of a decade of drainage area. The slope of a bin is the sum of its
+//! drops over the sum of its steps, on elevations in which depressions are cut through, so that no
+//! step rises.
 //!
 //! # Sources
-//! Flint (1974): S = k_s A^(−θ); θ is the concavity, m/n at the steady state of the stream-power law.
+//! Flint (1974): S = k_s A^(−θ); θ is the concavity, m/n at the steady state of the stream-power
+//! law.
 
 use serde::{Deserialize, Serialize};
 
@@ -33,7 +35,8 @@ pub fn slope_area<T: NodeSurface>(terrain: &T, least_area: f64) -> SlopeArea {
     slope_area_of(&drainage, &carved, least_area, f64::INFINITY)
 }
 
-/// As [`slope_area`], of a routed terrain with its `carved` elevations and between two areas. **Cost** O(n).
+/// As [`slope_area`], of a routed terrain with its `carved` elevations and between two
+/// areas. **Cost** O(n).
 pub fn slope_area_of<D: Domain>(drainage: &Drainage<D>, carved: &[f64], least: f64, most: f64) -> SlopeArea {
     const PER_DECADE: f64 = 10.0;
     const LEAST_NODES: usize = 10;

@@ -1,20 +1,23 @@
 //! The spectrum: the relief at every wavelength.
 //!
 //! # Method
-//! The largest square without nodata; its best plane removed; a periodic Hann window along both axes (no mirror: a mirrored
-//! surface has a crease at the seam and half of the independent coefficients); the squared transform, scaled so that its integral
-//! over all wave numbers is the variance; means over rings of one wave number. The exponent is a straight line through log mean
+//! The largest square without nodata; its best plane removed; a periodic Hann window along both
+//! axes (no mirror: a mirrored surface has a crease at the seam and half of the independent
+//! coefficients); the squared transform, scaled so that its integral over all wave numbers is the
+//! variance; means over rings of one wave number. The exponent is a straight line through log mean
 //! power over log wave number.
 //!
 //! The slope is the test, never the goodness of the fit alone: see [`ThesisFit`].
 //!
 //! # Sources
-//! Voss (1988); Saupe (1988): a surface of Hurst exponent H has radially averaged density k^−(2H+2) and profiles of density
-//! k^−(2H+1). Pytel's thesis (Theorem 2.1.1, Eq. 2.6, 2.7) states 2H + 1, which is that of a profile. Perron, Kirchner & Dietrich
-//! (2008) for windows, bins and peaks above the background.
+//! Voss (1988); Saupe (1988): a surface of Hurst exponent H has radially averaged density k^−(2H+2)
+//! and profiles of density k^−(2H+1). Pytel's thesis (Theorem 2.1.1, Eq. 2.6, 2.7) states 2H + 1,
+//! which is that of a profile. Perron, Kirchner & Dietrich (2008) for windows, bins and peaks above
+//! the background.
 //!
 //! # Checked by
-//! `tests`: Parseval, a sine at its wavelength, H of synthetic surfaces within 0.05, turning by 90 degrees.
+//! `tests`: Parseval, a sine at its wavelength, H of synthetic surfaces within 0.05, turning by 90
+//! degrees.
 
 mod rings;
 mod thesis_fit;
@@ -60,8 +63,8 @@ pub struct Spectrum {
     pub rings: Vec<Ring>,
     /// Mean density in tenths of a decade of wave number.
     pub bins: Vec<LogBin>,
-    /// β of the surface by rings 4 to N/4, each ring one point: 2H + 2 for fractional Brownian ground. High wave numbers weigh
-    /// most.
+    /// β of the surface by rings 4 to N/4, each ring one point: 2H + 2 for fractional Brownian
+    /// ground. High wave numbers weigh most.
     pub surface: PowerLaw,
     /// The same by bins of a tenth of a decade: each scale weighs the same.
     pub surface_by_bins: PowerLaw,
@@ -73,7 +76,8 @@ pub struct Spectrum {
     pub profiles: PowerLaw,
     /// (β − 2)/2 by rings.
     pub hurst: f64,
-    /// Power along the axes over that along the diagonals, each ring weighing the same; 1 if the grid left no trace.
+    /// Power along the axes over that along the diagonals, each ring weighing the same; 1 if the
+    /// grid left no trace.
     pub axes_over_diagonals: f64,
     /// Wavelength that stands out most above the power law, m, and by what factor.
     pub peak: (f64, f64),
@@ -100,9 +104,10 @@ impl Density {
         self.values[kx as usize * self.side + ky]
     }
 
-    /// The plane of wave numbers with its radius on a logarithmic scale, the longest waves in the middle, north up: `size`² means
-    /// of log₁₀ density, row-major. A self-affine surface is an even cone (Pytel's thesis draws the same over logarithmic x and
-    /// y). NaN beyond the shortest waves. **Cost** O(n).
+    /// The plane of wave numbers with its radius on a logarithmic scale, the longest waves in the
+    /// middle, north up: `size`² means of log₁₀ density, row-major. A self-affine surface is an
+    /// even cone (Pytel's thesis draws the same over logarithmic x and y). NaN beyond the shortest
+    /// waves. **Cost** O(n).
     pub fn log_plot(&self, size: usize) -> Vec<f64> {
         let half = (size / 2) as f64;
         let most = 0.5 * self.side as f64;
@@ -147,14 +152,15 @@ impl Density {
         self.step[0].max(self.step[1])
     }
 
-    /// Length of a wave vector in units of the ring, and whether it counts once or twice in the whole plane.
+    /// Length of a wave vector in units of the ring, and whether it counts once or twice in the
+    /// whole plane.
     fn radius(&self, kx: usize, ky: i64) -> f64 {
         math::hypot(kx as f64 * self.step[0], ky as f64 * self.step[1]) / self.unit()
     }
 }
 
-/// The density of a raster's largest square, with its best plane removed and tapered if `taper` (else as it is, for periodic
-/// surfaces).
+/// The density of a raster's largest square, with its best plane removed and tapered if `taper`
+/// (else as it is, for periodic surfaces).
 ///
 /// None if the square has fewer than [`LEAST_WINDOW`] nodes a side. **Cost** O(n log n).
 pub fn density(grid: &Grid, z: &[f64], taper: bool) -> Option<(Window, Density)> {
@@ -169,8 +175,8 @@ pub fn density(grid: &Grid, z: &[f64], taper: bool) -> Option<(Window, Density)>
     Some((window, Density { side: n, step, values }))
 }
 
-/// The spectrum of a raster's largest square without nodata; none if it has fewer than [`LEAST_WINDOW`] nodes a side. **Cost**
-/// O(n log n).
+/// The spectrum of a raster's largest square without nodata; none if it has fewer than
+/// [`LEAST_WINDOW`] nodes a side. **Cost** O(n log n).
 pub fn spectrum(grid: &Grid, z: &[f64]) -> Option<Spectrum> {
     let (window, density) = density(grid, z, true)?;
     Some(of_density(grid, z, window, &density))

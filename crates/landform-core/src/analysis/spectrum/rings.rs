@@ -121,7 +121,8 @@ pub(super) fn peak(rings: &[Ring], side: usize) -> (f64, f64) {
     rings.get(best.0).map_or((f64::NAN, f64::NAN), |r| (r.wavelength, math::pow(10.0, best.1)))
 }
 
-/// Mean of power over its ring's mean within 11.25 degrees of the axes, over the same along the diagonals; rings 4 to N/4.
+/// Mean of power over its ring's mean within 11.25 degrees of the axes, over the same along the
+/// diagonals; rings 4 to N/4.
 pub(super) fn axes_over_diagonals(density: &Density, rings: &[Ring]) -> f64 {
     let (mut axes, mut diagonals) = ((0.0, 0.0), (0.0, 0.0));
     let eighth = std::f64::consts::FRAC_PI_8;

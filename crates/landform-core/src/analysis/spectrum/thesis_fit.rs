@@ -1,21 +1,24 @@
 //! The procedure of Pytel's thesis for judging a spectrum, to the letter.
 //!
 //! # Method
-//! 1. The log plot's points (r, z): r the logarithm of the length of each wave vector, z the logarithm of the density of Eq. 2.6 for heights
-//!    scaled to 0..1 and Δs = 1 cell. One half-plane only (32,770 points of 256 × 256); without the 3 × 3 points in the middle and without
-//!    densities below ε = 0.001.
+//! 1. The log plot's points (r, z): r the logarithm of the length of each wave vector, z the
+//!    logarithm of the density of Eq. 2.6 for heights scaled to 0..1 and Δs = 1 cell. One
+//!    half-plane only (32,770 points of 256 × 256); without the 3 × 3 points in the middle and
+//!    without densities below ε = 0.001.
 //! 2. Least-squares line L through them.
-//! 3. T, linear in r and in z, maps L to z = 1 − r: r runs from 0 to 1 over the points, L from 1 to 0.
+//! 3. T, linear in r and in z, maps L to z = 1 − r: r runs from 0 to 1 over the points, L from 1
+//!    to 0.
 //! 4. Residuals of T(points) from z = 1 − r: their root mean square, and R².
 //!
-//! T removes the slope, so that the two numbers cannot distinguish H = 0.2 from H = 0.9: any cloud around any falling line
-//! passes. R² of pure fractional Brownian ground is β² V/(β² V + π²/6) with V = Var(ln r), since the logarithm of a periodogram's
-//! noise has variance π²/6: it measures noise and steepness, not likeness. Therefore the slope is given beside it.
+//! T removes the slope, so that the two numbers cannot distinguish H = 0.2 from H = 0.9: any cloud
+//! around any falling line passes. R² of pure fractional Brownian ground is β² V/(β² V + π²/6) with
+//! V = Var(ln r), since the logarithm of a periodogram's noise has variance π²/6: it measures noise
+//! and steepness, not likeness. Therefore the slope is given beside it.
 //!
 //! # Sources
-//! Pytel's thesis, 2.1.6. Its base line (33 surfaces, H from 0.5 to 0.98): RMS 0.199–0.223, R² 0.331–0.526. The text leaves T's
-//! scale of r open; ours gives the same R² (T does not change it) but not the same RMS. Validation notes 1.5 for the formula of
-//! R².
+//! Pytel's thesis, 2.1.6. Its base line (33 surfaces, H from 0.5 to 0.98): RMS 0.199–0.223, R²
+//! 0.331–0.526. The text leaves T's scale of r open; ours gives the same R² (T does not change it)
+//! but not the same RMS. Validation notes 1.5 for the formula of R².
 
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,8 @@
 //! Spectra of single rows and columns, and the spacing that stands out in them.
 //!
 //! # Sources
-//! Perron, Dietrich & Kirchner (2008): valleys that are evenly spaced show as a peak of a transect's spectrum across them.
+//! Perron, Dietrich & Kirchner (2008): valleys that are evenly spaced show as a peak of a
+//! transect's spectrum across them.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +13,8 @@ use crate::{math, parallel};
 /// Mean spectra of profiles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Transects {
-    /// (wavelength in m, density in m² per 1/m) of the mean profile eastwards, the longest wave first.
+    /// (wavelength in m, density in m² per 1/m) of the mean profile eastwards, the longest wave
+    /// first.
     pub rows: Vec<(f64, f64)>,
     /// The same northwards.
     pub columns: Vec<(f64, f64)>,
@@ -24,8 +26,8 @@ pub struct Transects {
     pub spacing_northwards: f64,
 }
 
-/// Mean spectra (wavenumber in 1/m, density in m³) of the rows and of the columns of a window, each profile without its straight line and tapered. **Cost** O(n log
-/// n).
+/// Mean spectra (wavenumber in 1/m, density in m³) of the rows and of the columns of a window, each
+/// profile without its straight line and tapered. **Cost** O(n log n).
 pub fn transects(grid: &Grid, z: &[f64], window: Window) -> Option<Transects> {
     let n = window.side;
     if n < super::LEAST_WINDOW {

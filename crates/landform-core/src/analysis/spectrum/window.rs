@@ -16,7 +16,8 @@ pub struct Window {
     pub side: usize,
 }
 
-/// The largest square of nodes without nodata; of equal ones that with the top-most, then left-most corner. **Cost** O(n).
+/// The largest square of nodes without nodata; of equal ones that with the top-most, then left-most
+/// corner. **Cost** O(n).
 pub fn largest_square(shape: Shape, z: &[f64]) -> Option<Window> {
     // Side of the largest square whose lower right corner is here.
     let mut above = vec![0u32; shape.cols];
@@ -44,7 +45,8 @@ impl Window {
         shape.index(self.row + row, self.col + col)
     }
 
-    /// Elevations without their best plane and tapered to the rim; also the mean square of the taper.
+    /// Elevations without their best plane and tapered to the rim; also the mean square of the
+    /// taper.
     pub(super) fn cut(self, grid: &Grid, z: &[f64], taper: bool) -> (Vec<f64>, f64) {
         let n = self.side;
         let at = |i: usize| z[self.node(grid.shape, i / n, i % n)];

@@ -1,7 +1,8 @@
 //! Basins as polygons.
 //!
 //! # Sources
-//! Strahler (1952) for the hypsometric integral, (mean − least)/(greatest − least) elevation (Pike & Wilson 1971).
+//! Strahler (1952) for the hypsometric integral, (mean − least)/(greatest − least) elevation (Pike
+//! & Wilson 1971).
 
 use super::{Drainage, Polygon, polygon};
 use crate::algo::outline::{label_regions, outlines};
@@ -23,7 +24,8 @@ pub struct Basin {
     pub outline: Vec<Polygon>,
 }
 
-/// The basins of a raster that cover at least `least_area` (m²), the largest first. **Cost** O(cells).
+/// The basins of a raster that cover at least `least_area` (m²), the largest first. **Cost**
+/// O(cells).
 pub fn basins<D: Domain>(field: &HeightField, drainage: &Drainage<D>, least_area: f64) -> Vec<Basin> {
     let z = field.elevation();
     let status = drainage.domain.status();

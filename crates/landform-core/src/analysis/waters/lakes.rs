@@ -29,8 +29,8 @@ const LEVEL: f64 = 1e-6;
 /// Known water no deeper than this is a film that runs, m.
 const SHALLOW: f64 = 0.01;
 
-/// The lakes of a raster that are somewhere deeper than `least_depth` (m) and cover at least `least_area` (m²), the largest
-/// first. **Cost** O(cells).
+/// The lakes of a raster that are somewhere deeper than `least_depth` (m) and cover at least
+/// `least_area` (m²), the largest first. **Cost** O(cells).
 ///
 /// ```
 /// use landform_core::analysis::{Drainage, lakes};

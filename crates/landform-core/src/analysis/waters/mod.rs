@@ -38,10 +38,12 @@ pub struct Drainage<D> {
 }
 
 impl<D: Domain> Drainage<D> {
-    /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given; `rainfall` (m/s) holds where
-    /// the terrain has no field of it. Where a process left the discharge of every node, each node drains to the lower neighbour
-    /// through which most water runs. Lakes are crossed on their surface, along the middle. Area and discharge are summed over the same tree, so that a river has all water of its
-    /// width; its springs are in the field of what was supplied. **Cost** O(n).
+    /// Routes flow over a terrain. Rivers end at the terrain's outlets, or at `sea_level` if given;
+    /// `rainfall` (m/s) holds where the terrain has no field of it. Where a process left the
+    /// discharge of every node, each node drains to the lower neighbour through which most water
+    /// runs. Lakes are crossed on their surface, along the middle. Area and discharge are summed
+    /// over the same tree, so that a river has all water of its width; its springs are in the field
+    /// of what was supplied. **Cost** O(n).
     pub fn of<T: NodeSurface<Domain = D>>(terrain: &T, sea_level: Option<f64>, rainfall: f64) -> Self {
         let mut domain = terrain.domain();
         if let Some(level) = sea_level {
@@ -50,7 +52,8 @@ impl<D: Domain> Drainage<D> {
         Self::over(terrain, domain, sea_level, rainfall)
     }
 
-    /// As [`Drainage::of`], for measures of ground: what drains into nodata inside has left, as it has at the border.
+    /// As [`Drainage::of`], for measures of ground: what drains into nodata inside has left, as it
+    /// has at the border.
     pub fn with_open_holes<T: NodeSurface<Domain = D>>(terrain: &T) -> Self {
         let mut domain = terrain.domain();
         let mut status = domain.status().to_vec();

@@ -1,8 +1,8 @@
 //! Rivers as lines.
 //!
 //! # Sources
-//! Moody & Troutman (2002) for the width and depth of rivers, w = 7.2 Q^0.50, d = 0.27 Q^0.39 (m, m³/s). Cells are too coarse to
-//! measure the width of most rivers on the water itself.
+//! Moody & Troutman (2002) for the width and depth of rivers, w = 7.2 Q^0.50, d = 0.27 Q^0.39 (m,
+//! m³/s). Cells are too coarse to measure the width of most rivers on the water itself.
 
 use super::Drainage;
 use crate::algo::network::reaches;
@@ -58,7 +58,8 @@ pub struct RiverReach {
     pub nodes: Vec<u32>,
 }
 
-/// The rivers of a terrain that drain at least `least` m², rivers in turn, reaches from the mouth upwards.
+/// The rivers of a terrain that drain at least `least` m², rivers in turn, reaches from the mouth
+/// upwards.
 pub fn rivers<T: NodeSurface>(
     terrain: &T,
     drainage: &Drainage<T::Domain>,
@@ -110,7 +111,8 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     ((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])).sqrt()
 }
 
-/// The nodes' positions at the surface of the water. A last step from above the sea to below ends at the shore.
+/// The nodes' positions at the surface of the water. A last step from above the sea to below ends
+/// at the shore.
 fn points<T: NodeSurface>(terrain: &T, drainage: &Drainage<T::Domain>, nodes: &[u32]) -> Vec<[f64; 3]> {
     let at = |i: u32| {
         let [x, y] = terrain.position(i as usize);

@@ -7,7 +7,8 @@ use crate::Result;
 use crate::terrain::{Brush, Erodible, Removed};
 
 impl VoxelGrid {
-    /// Voxels under a brush, nearest first; the one at its middle alone where it is finer than they are.
+    /// Voxels under a brush, nearest first; the one at its middle alone where it is finer than they
+    /// are.
     fn under(&self, brush: Brush) -> Vec<(usize, f64)> {
         let n = self.plan.len();
         let square = |i: usize| {
@@ -44,8 +45,8 @@ impl Erodible for VoxelGrid {
         Removed { volume: volume_of(counts.values().sum()), by_material }
     }
 
-    /// Whole voxels, each on a solid one or on the underside, the lowest first and then the nearest. **Cost** O(voxels) and the
-    /// square of those under the brush.
+    /// Whole voxels, each on a solid one or on the underside, the lowest first and then the
+    /// nearest. **Cost** O(voxels) and the square of those under the brush.
     fn deposit(&mut self, brush: Brush, volume: f64, material: &str) -> Result<f64> {
         let number = self.materials.need(material, "material")?;
         let (under, n) = (self.under(brush), self.plan.len());
@@ -87,7 +88,8 @@ mod tests {
         let [x, y, z] = ground.middle(5, 4 * 11 + 5);
         assert_eq!(ground.height_at([x, y]), Some(20.0));
         let hit = |from: [f64; 3], to: [f64; 3]| ground.hit(from, to);
-        // From above onto the plain, from the cave to its roof, its floor and its east wall, three metres away.
+        // From above onto the plain, from the cave to its roof, its floor and its east wall, three
+        // metres away.
         assert!((hit([x, y, 30.0], [x, y, 10.0]).unwrap() - 0.5).abs() < 1e-12);
         for to in [[x, y, z + 10.0], [x, y, z - 10.0], [x + 10.0, y, z], [x, y - 10.0, z]] {
             assert!((hit([x, y, z], to).unwrap() - 0.3).abs() < 1e-12, "{to:?}");

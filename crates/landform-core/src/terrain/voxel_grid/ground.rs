@@ -37,7 +37,8 @@ impl Ground for VoxelGrid {
         self.plan.spacing[0].min(self.plan.spacing[1]).min(self.height)
     }
 
-    /// Voxel by voxel along the line (Amanatides & Woo 1987): roofs and walls of caves are met too. **Cost** O(voxels on the line).
+    /// Voxel by voxel along the line (Amanatides & Woo 1987): roofs and walls of caves are met
+    /// too. **Cost** O(voxels on the line).
     fn hit(&self, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         let (start, end) = (self.lattice(from), self.lattice(to));
         let along: [f64; 3] = std::array::from_fn(|k| end[k] - start[k]);

@@ -34,18 +34,21 @@ pub struct VoxelGrid {
     bottom: f64,
     height: f64,
     materials: Materials,
-    /// Numbers of materials, level by level from the underside, each in the order of the plan's nodes.
+    /// Numbers of materials, level by level from the underside, each in the order of the plan's
+    /// nodes.
     voxels: Vec<u8>,
 }
 
 impl VoxelGrid {
-    /// Voxels of `height` m in `levels` above the elevation `bottom` (m), one column over each node of `plan`.
-    /// `material(level, node)` is the number of a voxel's material in the table; none where it is empty.
+    /// Voxels of `height` m in `levels` above the elevation `bottom` (m), one column over each node
+    /// of `plan`. `material(level, node)` is the number of a voxel's material in the table; none
+    /// where it is empty.
     ///
     /// **Cost** O(voxels).
     ///
     /// # Errors
-    /// [`Error::Parameter`] without levels, for a height that is not positive, or for a number that is not in the table.
+    /// [`Error::Parameter`] without levels, for a height that is not positive, or for a number that
+    /// is not in the table.
     pub fn from_fn(
         plan: Grid,
         levels: usize,
@@ -122,7 +125,8 @@ impl VoxelGrid {
         [x, y, self.bottom + (level as f64 + 0.5) * self.height]
     }
 
-    /// Empties voxels whose middle lies within `bounds` and `cut` holds for; returns how many were not empty before.
+    /// Empties voxels whose middle lies within `bounds` and `cut` holds for; returns how many were
+    /// not empty before.
     ///
     /// **Cost** O(voxels within the bounds).
     pub fn empty(&mut self, bounds: Bounds, cut: impl Fn([f64; 3]) -> bool) -> usize {

@@ -1,8 +1,9 @@
 //! Sizes, formats and numbers that each engine needs.
 //!
 //! # Sources
-//! Epic's technical guide to landscapes (sizes, 1/128 unit a step at scale 100), Unity's TerrainData (sizes, 16-bit RAW from
-//! the south), Terrain3D's guide to importing (EXR in metres, three channels), as noted in ADR 12.
+//! Epic's technical guide to landscapes (sizes, 1/128 unit a step at scale 100), Unity's
+//! TerrainData (sizes, 16-bit RAW from the south), Terrain3D's guide to importing (EXR in metres,
+//! three channels), as noted in ADR 12.
 
 use landform_core::Result;
 use landform_core::terrain::NodeSurface;
@@ -169,7 +170,8 @@ fn digits(v: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
-/// Location and scale that bring raw steps back to metres in Unreal: Z location (cm), Z scale, and Z scale by Epic's text.
+/// Location and scale that bring raw steps back to metres in Unreal: Z location (cm), Z scale, and
+/// Z scale by Epic's text.
 pub(super) fn unreal_numbers([least, greatest]: [f64; 2]) -> [f64; 3] {
     // One step is 1/128 cm times the scale; step 32768 is the actor's own height.
     let scale = 100.0 * (greatest - least).max(1e-3) / (STEPS / 128.0);

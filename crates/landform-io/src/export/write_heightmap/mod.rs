@@ -14,8 +14,9 @@ use serde::{Deserialize, Serialize};
 use crate::format::{RasterFile, sidecar_path};
 use engines::{Engine, Sizes};
 
-/// Writes elevation as a height map for an engine, with an import card (name.ext.md) that says which numbers to type: unreal
-/// (png, r16), unity (raw), godot (exr, r16), blender (exr, glb), gis (tif).
+/// Writes elevation as a height map for an engine, with an import card (name.ext.md) that says
+/// which numbers to type: unreal (png, r16), unity (raw), godot (exr, r16), blender (exr, glb), gis
+/// (tif).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteHeightmap {
@@ -23,7 +24,8 @@ pub struct WriteHeightmap {
     pub path: String,
     /// Program that reads it.
     pub preset: Preset,
-    /// Number of nodes along a side. If not given, it is the engine's smallest size with at least as many nodes as the landscape.
+    /// Number of nodes along a side. If not given, it is the engine's smallest size with at least
+    /// as many nodes as the landscape.
     #[schemars(extend("x-min" = 2, "x-max" = 16_385))]
     pub size: Option<usize>,
 }
@@ -133,7 +135,8 @@ impl WriteHeightmap {
         Path::new(&self.path).extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
     }
 
-    /// The engine's grid over the landscape's rectangle; square cells may leave out less than a cell in the south and east.
+    /// The engine's grid over the landscape's rectangle; square cells may leave out less than a
+    /// cell in the south and east.
     fn grid(&self, own: &Grid) -> Result<Grid> {
         let engine = self.engine();
         match (self.size, engine.sizes) {
@@ -174,7 +177,8 @@ impl WriteHeightmap {
         let finite = field.elevation().iter().copied().filter(|z| z.is_finite());
         let (least, mut greatest) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
         if greatest - least < FLAT {
-            // Level ground: noise of the last bit is not stretched over 16 bits, and the range is one that an engine takes.
+            // Level ground: noise of the last bit is not stretched over 16 bits, and the range is
+            // one that an engine takes.
             let z = field.elevation().iter().map(|z| if z.is_nan() { *z } else { least }).collect();
             field = HeightField::new(field.grid().clone(), z)?;
             greatest = least + 1.0;

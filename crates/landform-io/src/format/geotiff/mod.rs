@@ -1,10 +1,12 @@
-//! GeoTIFF: any plain numbers; deflate, LZW, ZSTD (read only) or plain; tiles or strips; predictors; georeference, nodata, masks.
+//! GeoTIFF: any plain numbers; deflate, LZW, ZSTD (read only) or plain; tiles or strips;
+//! predictors; georeference, nodata, masks.
 //!
-//! Directories are read and written through the `tiff` crate, which writes strips only and reads no bands beside the colours, no
-//! ZSTD and no absent tiles: blocks of samples are laid out here.
+//! Directories are read and written through the `tiff` crate, which writes strips only and reads no
+//! bands beside the colours, no ZSTD and no absent tiles: blocks of samples are laid out here.
 //!
 //! # Sources
-//! TIFF 6.0 (sections 14 and 15) and Adobe's technical note 3 (floating-point predictor); OGC GeoTIFF 1.1 for keys.
+//! TIFF 6.0 (sections 14 and 15) and Adobe's technical note 3 (floating-point predictor); OGC
+//! GeoTIFF 1.1 for keys.
 
 mod blocks;
 mod keys;

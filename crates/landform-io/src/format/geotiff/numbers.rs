@@ -69,7 +69,8 @@ impl Kind {
         }
     }
 
-    /// All most significant bytes come first, then all others, as differences; afterwards numbers in the order of the file.
+    /// All most significant bytes come first, then all others, as differences; afterwards numbers
+    /// in the order of the file.
     fn undo_bytes(self, row: &mut [u8], bands: usize) {
         for k in bands..row.len() {
             row[k] = row[k].wrapping_add(row[k - bands]);
@@ -199,7 +200,8 @@ mod tests {
     #[test]
     fn planes_of_bytes_become_real_numbers_in_both_orders() {
         let values = [100.0_f32, 115.5, -2.25];
-        // Most significant bytes of all numbers first, whatever the order of the file; then differences.
+        // Most significant bytes of all numbers first, whatever the order of the file; then
+        // differences.
         let planes: Vec<u8> = (0..4).flat_map(|k| values.map(|v| v.to_be_bytes()[k])).collect();
         let packed: Vec<u8> =
             (0..12).map(|i| if i == 0 { planes[0] } else { planes[i].wrapping_sub(planes[i - 1]) }).collect();

@@ -132,8 +132,8 @@ fn encode_row(values: impl Iterator<Item = f64>, options: GeotiffOptions, bytes:
     }
 }
 
-/// Floats, most significant byte first, as a row of little-endian samples or of differences from byte to byte: all most
-/// significant bytes first, and so on.
+/// Floats, most significant byte first, as a row of little-endian samples or of differences from
+/// byte to byte: all most significant bytes first, and so on.
 fn encode_floats<const N: usize>(samples: &[[u8; N]], predict: bool, bytes: &mut Vec<u8>) {
     let start = bytes.len();
     if !predict {

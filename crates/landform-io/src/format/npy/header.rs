@@ -1,8 +1,8 @@
 //! The header of a NumPy array: what its numbers are, in which order, and how many.
 //!
 //! # Sources
-//! NumPy enhancement proposal 1, *A simple file format for NumPy arrays*: versions 1 to 3, which differ in the size of the length
-//! and in the characters that names of columns may have.
+//! NumPy enhancement proposal 1, *A simple file format for NumPy arrays*: versions 1 to 3, which
+//! differ in the size of the length and in the characters that names of columns may have.
 
 use landform_core::{Error, Result};
 

@@ -1,4 +1,5 @@
-//! NumPy arrays: float32 (float64 on request), uint32 or uint8 on writing, by what the values are; any real or integer type on reading.
+//! NumPy arrays: float32 (float64 on request), uint32 or uint8 on writing, by what the values are;
+//! any real or integer type on reading.
 
 mod header;
 
@@ -86,7 +87,8 @@ fn each<const N: usize, T>(count: usize, data: &[u8], is_big: bool, number: impl
     Ok(stored.iter().map(|bytes| number(least_first(*bytes))).collect())
 }
 
-/// Rows and columns; a further dimension before or after them, such as that of bands, may have one entry.
+/// Rows and columns; a further dimension before or after them, such as that of bands, may have one
+/// entry.
 fn size(shape: &[u64]) -> Result<[u64; 2]> {
     match shape {
         &[rows, cols] => Ok([rows, cols]),

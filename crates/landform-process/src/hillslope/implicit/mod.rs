@@ -1,8 +1,9 @@
 //! Creep over a step, implicitly: links whose flux is in proportion to their drop.
 //!
 //! # Method
-//! Finite volumes over the graph: on a raster the five-point stencil, on a mesh Voronoi faces. Backward Euler. On rasters without
-//! periodic sides by over-relaxation in two colours ([`rows`]), else by conjugate gradients ([`links`]).
+//! Finite volumes over the graph: on a raster the five-point stencil, on a mesh Voronoi faces.
+//! Backward Euler. On rasters without periodic sides by over-relaxation in two colours ([`rows`]),
+//! else by conjugate gradients ([`links`]).
 
 mod links;
 mod rows;
@@ -64,7 +65,8 @@ impl System {
         }
     }
 
-    /// The change of every node in one backward-Euler step, and the one that fluxes at its end belong to.
+    /// The change of every node in one backward-Euler step, and the one that fluxes at its end
+    /// belong to.
     pub(super) fn change(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
         let by_links = |links: &Links| links.change(z, dt).map(|change| [change.clone(), change]);
         match &mut self.solver {
@@ -96,7 +98,8 @@ impl Cells {
         self.centres.as_ref().map_or(Cow::Borrowed(z), |centres| Cow::Owned(centres.values(z)))
     }
 
-    /// Moves the ground by a change over heights, while so much flows to base levels; returns the volumes moved.
+    /// Moves the ground by a change over heights, while so much flows to base levels; returns the
+    /// volumes moved.
     pub(super) fn apply<T: NodeSurface>(&self, terrain: &mut T, change: &[f64], outflow: f64) -> Change {
         let (mut change, mut exported) = (Cow::Borrowed(change), outflow);
         if let Some(centres) = &self.centres {

@@ -1,13 +1,15 @@
 //! The implicit step on a raster: successive over-relaxation in two colours.
 //!
 //! # Method
-//! The five-point stencil couples nodes of one colour of a chessboard to the other alone. Each colour is stored by itself, so that a
-//! sweep reads one and writes the other, in rows, side by side. The relaxation factor is Chebyshev's, from a bound of the spectral
-//! radius of Jacobi's iteration: with D Δt of half a cell's area a sweep leaves a seventh of the error. The volumes that move follow
-//! from the fluxes at the end, so that none is lost whatever the error.
+//! The five-point stencil couples nodes of one colour of a chessboard to the other alone. Each
+//! colour is stored by itself, so that a sweep reads one and writes the other, in rows, side by
+//! side. The relaxation factor is Chebyshev's, from a bound of the spectral radius of Jacobi's
+//! iteration: with D Δt of half a cell's area a sweep leaves a seventh of the error. The volumes
+//! that move follow from the fluxes at the end, so that none is lost whatever the error.
 //!
 //! # Sources
-//! Young (1954), Iterative methods for solving partial difference equations of elliptic type; Golub & Varga (1961) for the factors.
+//! Young (1954), Iterative methods for solving partial difference equations of elliptic type; Golub
+//! & Varga (1961) for the factors.
 
 use landform_core::grid::{Domain, Link, Shape, Status};
 use landform_core::{Error, Result, parallel};
@@ -42,7 +44,8 @@ pub(in super::super) struct Rows {
 }
 
 impl Rows {
-    /// The links of a raster, `conductance` (m²/s) of those to the east and south; those back are the same.
+    /// The links of a raster, `conductance` (m²/s) of those to the east and south; those back are
+    /// the same.
     pub(in super::super) fn new<D: Domain>(domain: &D, shape: Shape, conductance: impl Fn(usize, Link) -> f64) -> Self {
         let width = shape.cols.div_ceil(2) + 2;
         let empty = || [0, 1].map(|_| vec![0.0; width * (shape.rows + 2)]);
@@ -98,7 +101,8 @@ impl Rows {
         packed
     }
 
-    /// The change of heights `z` in a backward-Euler step of `dt` s by the fluxes at its end, and as it was solved for.
+    /// The change of heights `z` in a backward-Euler step of `dt` s by the fluxes at its end, and
+    /// as it was solved for.
     pub(super) fn change(&mut self, z: &[f64], dt: f64) -> Result<[Vec<f64>; 2]> {
         let packed = self.pack(z);
         for colour in 0..2 {
@@ -116,7 +120,8 @@ impl Rows {
         Ok([self.unpack(&moved, 1.0 / (self.area / dt)), self.unpack(&self.change, 1.0)])
     }
 
-    /// The change of every node in `dt` s that a volume flux into it (m³/s) calls for, what then flows over links included.
+    /// The change of every node in `dt` s that a volume flux into it (m³/s) calls for, what then
+    /// flows over links included.
     pub(in super::super) fn change_by(&mut self, rhs: &[f64], dt: f64) -> Result<Vec<f64>> {
         self.rhs = self.pack(rhs);
         self.solve_step(dt)?;

@@ -27,8 +27,8 @@ impl Sweep {
         self.pools.surface(self.ran_over(), node)
     }
 
-    /// The nodes to which a node of the last round passes sediment on, with shares: with the water on dry ground, down the bed
-    /// under standing water. `part` is the flow as a part of all water.
+    /// The nodes to which a node of the last round passes sediment on, with shares: with the water
+    /// on dry ground, down the bed under standing water. `part` is the flow as a part of all water.
     pub fn downstream(&self, domain: &RasterDomain, node: usize, part: f64) -> FlowPartition {
         let ground = self.ran_over();
         if self.lake(node).is_some() {

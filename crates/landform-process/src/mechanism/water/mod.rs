@@ -1,17 +1,21 @@
 //! Water on the ground: four transports behind one interface.
 //!
 //! # Model
-//! A round brings water (rain, springs, inflow along sides), moves it, and records the water that passed each node. Water in
-//! depressions stays for the next round. *Columns* and *averages* move all the water of a round at once, down to where it stands
-//! or leaves: between rounds only standing water is left, as it appears on the time scale of mountains. *Pipes* move water in
-//! time steps, with momentum. The *area map* has no amounts: every depression is full, and drainage area replaces water.
+//! A round brings water (rain, springs, inflow along sides), moves it, and records the water that
+//! passed each node. Water in depressions stays for the next round. *Columns* and *averages* move
+//! all the water of a round at once, down to where it stands or leaves: between rounds only
+//! standing water is left, as it appears on the time scale of mountains. *Pipes* move water in time
+//! steps, with momentum. The *area map* has no amounts: every depression is full, and drainage area
+//! replaces water.
 //!
 //! # Limits
-//! Water does not seep into the ground. Depth of running water is part of the balance for pipes only.
+//! Water does not seep into the ground. Depth of running water is part of the balance for pipes
+//! only.
 //!
 //! # Sources
-//! Pytel (2015), 4.3.1 and 4.4.3. The thesis moves water by one neighbour an iteration, so that the shorter its iterations are,
-//! the deeper its rivers get; here a round is long against the time that water takes to the border.
+//! Pytel (2015), 4.3.1 and 4.4.3. The thesis moves water by one neighbour an iteration, so that the
+//! shorter its iterations are, the deeper its rivers get; here a round is long against the time
+//! that water takes to the border.
 
 mod input;
 mod load;
@@ -41,7 +45,8 @@ pub struct Supply<'a> {
     pub sinks: &'a [bool],
 }
 
-/// Balance of the water of a round, as depths summed over nodes, m: before + entered = stored + left + evaporated.
+/// Balance of the water of a round, as depths summed over nodes, m: before + entered = stored +
+/// left + evaporated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ledger {
     /// Water stored before, m³.

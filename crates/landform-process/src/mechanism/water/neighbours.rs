@@ -1,4 +1,5 @@
-//! Per-node cache: the lowest neighbour, the drop to the second-lowest, and how many higher neighbours are still unrouted.
+//! Per-node cache: the lowest neighbour, the drop to the second-lowest, and how many higher
+//! neighbours are still unrouted.
 
 use landform_core::grid::{Neighbours, RasterDomain, Shape};
 use landform_core::parallel;
@@ -6,10 +7,11 @@ use landform_core::parallel;
 /// A node's neighbours, in eight bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LowestNeighbour {
-    /// By how much the second lowest is higher than the lowest, m; as much as the node itself if no other is lower. Rounded down.
+    /// By how much the second lowest is higher than the lowest, m; as much as the node itself if no
+    /// other is lower. Rounded down.
     gap: f32,
-    /// The lowest neighbour by its place in the window of nine without its middle, row by row; [`PIT`] if none is lower,
-    /// [`UNKNOWN`] if the node has not eight neighbours.
+    /// The lowest neighbour by its place in the window of nine without its middle, row by row;
+    /// [`PIT`] if none is lower, [`UNKNOWN`] if the node has not eight neighbours.
     lowest: u8,
     /// The lower neighbours, a bit each.
     lower: u8,
@@ -22,7 +24,8 @@ const UNKNOWN: u8 = u8::MAX;
 const DONE: u8 = u8::MAX;
 
 impl LowestNeighbour {
-    /// The lowest neighbour's place, if it is lower than any other by so much that all of `depth` m of water run there.
+    /// The lowest neighbour's place, if it is lower than any other by so much that all of `depth` m
+    /// of water run there.
     #[inline]
     pub(super) fn sole_receiver(self, depth: f64) -> Option<usize> {
         (self.lowest < PIT && depth <= f64::from(self.gap)).then_some(self.lowest as usize)
@@ -75,7 +78,8 @@ impl NeighbourTable {
         self.of[node].in_degree == 0
     }
 
-    /// Marks a node as visited: calls `ready` with every lower neighbour that waited for no other node.
+    /// Marks a node as visited: calls `ready` with every lower neighbour that waited for no other
+    /// node.
     #[inline]
     pub(super) fn visited(&mut self, domain: &RasterDomain, ground: &[f64], node: usize, mut ready: impl FnMut(usize)) {
         let neighbours = &mut self.of[node];

@@ -3,8 +3,8 @@
 const DIGIT: u32 = 11;
 const BUCKETS: usize = 1 << DIGIT;
 
-/// Nodes by height (m), the highest first; equals by node. NaN is left out. Radix sort by 2⁻³² of the relief, then what is nearer:
-/// O(n) but for level ground.
+/// Nodes by height (m), the highest first; equals by node. NaN is left out. Radix sort by 2⁻³² of
+/// the relief, then what is nearer: O(n) but for level ground.
 pub fn highest_first(height: &[f64]) -> Vec<usize> {
     let (lo, hi) = height.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &h| (a.min(h), b.max(h)));
     let scale = if hi > lo { f64::from(u32::MAX) / (hi - lo) } else { 0.0 };

@@ -1,13 +1,15 @@
 //! Standing water with a level: pools that fill, overflow, join and are emptied.
 //!
 //! # Method
-//! A pool floods from a pit outwards, always over the lowest node of its rim, until its water is used up or a node of the rim
-//! leads down elsewhere: its exit. A pool that would flow into one that already stands at the same pass joins it. Levels follow
-//! from the areas flooded, so they are exact whatever the volume.
+//! A pool floods from a pit outwards, always over the lowest node of its rim, until its water is
+//! used up or a node of the rim leads down elsewhere: its exit. A pool that would flow into one
+//! that already stands at the same pass joins it. Levels follow from the areas flooded, so they are
+//! exact whatever the volume.
 //!
 //! # Sources
-//! The flood is that of Priority-Flood (Barnes, Lehman & Mulla 2014) with a volume; that finite water fills, spills and merges is
-//! Barnes, Callaghan & Wickert (2021), without their hierarchy: pools form and vanish with the ground.
+//! The flood is that of Priority-Flood (Barnes, Lehman & Mulla 2014) with a volume; that finite
+//! water fills, spills and merges is Barnes, Callaghan & Wickert (2021), without their hierarchy:
+//! pools form and vanish with the ground.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -174,7 +176,8 @@ impl Pools {
         }
     }
 
-    /// Pours depths summed over nodes (m) into a pool. Returns the water that does not fit, with the exit by which it leaves.
+    /// Pours depths summed over nodes (m) into a pool. Returns the water that does not fit, with
+    /// the exit by which it leaves.
     pub(super) fn pour(
         &mut self,
         domain: &RasterDomain,
@@ -253,7 +256,8 @@ impl Pools {
         let mut taken = std::mem::take(&mut self.pools[other as usize]);
         self.joined[other as usize] = id;
         let pool = &mut self.pools[id as usize];
-        // Equal but for rounding; the higher one, or water would run in a circle over the pass between them.
+        // Equal but for rounding; the higher one, or water would run in a circle over the pass
+        // between them.
         pool.level = pool.level.max(taken.level);
         if taken.nodes.len() > pool.nodes.len() {
             std::mem::swap(&mut pool.nodes, &mut taken.nodes);
@@ -270,7 +274,8 @@ impl Pools {
     /// Writes the depth of standing water.
     pub(super) fn depths(&self, ground: &[f64], depth: &mut [f64]) {
         for pool in &self.pools {
-            // Depths that add up to the volume to the last bit would not be level; this is level, and adds up but for rounding.
+            // Depths that add up to the volume to the last bit would not be level; this is level,
+            // and adds up but for rounding.
             for &i in &pool.nodes {
                 depth[i as usize] = (pool.level - ground[i as usize]).max(0.0);
             }
@@ -282,8 +287,9 @@ impl Pools {
         self.pools[pool as usize].exit.map(|e| e.from as usize)
     }
 
-    /// Calls `visit` with every node of a pool that water crosses on its way along the pool's middle to the exit, and how much.
-    /// `net` is what came into the pool at a node less what once left there, m of depth; it is used up.
+    /// Calls `visit` with every node of a pool that water crosses on its way along the pool's
+    /// middle to the exit, and how much. `net` is what came into the pool at a node less what once
+    /// left there, m of depth; it is used up.
     pub(super) fn ways_through(&mut self, domain: &RasterDomain, net: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         let marks = &mut self.marks;
         for (id, pool) in self.pools.iter().enumerate() {

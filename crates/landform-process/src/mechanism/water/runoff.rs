@@ -8,7 +8,8 @@ use super::spread::FlowPartition;
 use super::sweep::Sweep;
 
 impl Sweep {
-    /// Makes a pool at a pit, of the water that came to it and the water that stood there before, which is no flow.
+    /// Makes a pool at a pit, of the water that came to it and the water that stood there before,
+    /// which is no flow.
     pub(super) fn new_pool(&mut self, input: &RunoffInput, pit: usize, came: f64, stood: f64) {
         let pool = self.pools.begin(input.domain, input.ground, pit);
         self.inflow.push(0.0);
@@ -16,7 +17,8 @@ impl Sweep {
         self.net[pit] -= stood;
     }
 
-    /// Fills pools and routes their overflow, the highest first, until all water stands or has left.
+    /// Fills pools and routes their overflow, the highest first, until all water stands or has
+    /// left.
     pub(super) fn route_overflow(&mut self, input: &RunoffInput) {
         while let Some((_, event)) = self.queue.pop() {
             match event {

@@ -1,20 +1,21 @@
 //! Shares of a site's water among its lower neighbours.
 //!
 //! # Sources
-//! Pytel (2015), figure 4.11 for columns and listing 4.2 for averages. Columns are levelled in closed form: neighbours are raised
-//! in order of height until the water is used up, which gives the same result as the thesis' steps of raising m sites to the
-//! level of the next.
+//! Pytel (2015), figure 4.11 for columns and listing 4.2 for averages. Columns are levelled in
+//! closed form: neighbours are raised in order of height until the water is used up, which gives
+//! the same result as the thesis' steps of raising m sites to the level of the next.
 
 use landform_core::grid::{Neighbours, RasterDomain};
 
-/// Differences of height below this are ignored, m: a power of two, so that heights are rounded exactly.
+/// Differences of height below this are ignored, m: a power of two, so that heights are rounded
+/// exactly.
 pub(super) const GRAIN: f64 = 1.0 / (1 << 22) as f64;
 
 /// Rule of sharing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
-    /// The lowest neighbours first, each raised to the level of the next; `depth` m of water where all the water of the map runs,
-    /// less with the root of the flow.
+    /// The lowest neighbours first, each raised to the level of the next; `depth` m of water where
+    /// all the water of the map runs, less with the root of the flow.
     Columns {
         /// The depth, m.
         depth: f64,
@@ -33,8 +34,8 @@ pub struct FlowPartition {
 }
 
 impl FlowPartition {
-    /// The neighbours whose ground is lower than a node's, with the levels that `level` gives; those whose level is not lower are
-    /// left out.
+    /// The neighbours whose ground is lower than a node's, with the levels that `level` gives;
+    /// those whose level is not lower are left out.
     #[inline]
     pub fn from_neighbours(domain: &RasterDomain, ground: &[f64], node: usize, level: impl Fn(usize) -> f64) -> Self {
         let (z, mut lower) = (ground[node], Self::default());
@@ -65,16 +66,18 @@ impl FlowPartition {
         self.len == 0
     }
 
-    /// Nodes and shares, which add up to 1 once they are set; neighbours without a share are left out.
+    /// Nodes and shares, which add up to 1 once they are set; neighbours without a share are left
+    /// out.
     #[inline]
     pub fn weights(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.list[..self.len].iter().filter(|l| l.2 > 0.0).map(|l| (l.0 as usize, l.2))
     }
 
-    /// Levels (m) to which `water` on a site at `top` raises it and its neighbours: the common level of those that get wet, at most
-    /// level with the site; shares are depths.
+    /// Levels (m) to which `water` on a site at `top` raises it and its neighbours: the common
+    /// level of those that get wet, at most level with the site; shares are depths.
     ///
-    /// With n neighbours that end up wet the level is (water + their heights) / n, and one more term where the site stays wet.
+    /// With n neighbours that end up wet the level is (water + their heights) / n, and one more
+    /// term where the site stays wet.
     pub fn equalise(&mut self, top: f64, water: f64) -> f64 {
         let (mut left, mut sum) = (water, 0.0);
         let mut level = top;

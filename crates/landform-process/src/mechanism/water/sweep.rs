@@ -1,14 +1,17 @@
 //! Runoff: all the water of a round runs down in one sweep.
 //!
 //! # Method
-//! Once all its higher neighbours have done so, a node passes on its water, shared among its lower neighbours by a [`Rule`].
-//! Nodes are taken as they get ready, the last first: a sweep runs down slopes rather than in order of height, and finds what it
-//! needs in the cache. Water that reaches pits then makes [`Pools`]. Water that leaves a pool by its exit runs on from there, the
-//! highest first (`runoff`). Water in pools stays for the next round. Heights are rounded to 2⁻²² m, and level ground is tilted
-//! by a few units of the last place, so that rounding errors do not decide the path of water on it.
+//! Once all its higher neighbours have done so, a node passes on its water, shared among its lower
+//! neighbours by a [`Rule`]. Nodes are taken as they get ready, the last first: a sweep runs down
+//! slopes rather than in order of height, and finds what it needs in the cache. Water that reaches
+//! pits then makes [`Pools`]. Water that leaves a pool by its exit runs on from there, the highest
+//! first (`runoff`). Water in pools stays for the next round. Heights are rounded to 2⁻²² m, and
+//! level ground is tilted by a few units of the last place, so that rounding errors do not decide
+//! the path of water on it.
 //!
-//! **Cost** O(n) for the sweep, O(log m) for each of the m nodes under standing water or below its exits, which overflow may pass
-//! more than once (on rough ground 1.1 times in the mean). One thread: every node waits for those above it.
+//! **Cost** O(n) for the sweep, O(log m) for each of the m nodes under standing water or below its
+//! exits, which overflow may pass more than once (on rough ground 1.1 times in the mean). One
+//! thread: every node waits for those above it.
 
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -124,8 +127,8 @@ impl Sweep {
         ledger
     }
 
-    /// Takes up the standing water, pool by pool: water that a depression still holds is kept for its lowest node, the rest
-    /// (where the ground was eroded since) runs off with the rain.
+    /// Takes up the standing water, pool by pool: water that a depression still holds is kept for
+    /// its lowest node, the rest (where the ground was eroded since) runs off with the rain.
     fn collect_standing(
         &mut self,
         input: &RunoffInput,

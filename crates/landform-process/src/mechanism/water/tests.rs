@@ -68,7 +68,8 @@ fn level_ground_keeps_its_water() {
 
 #[test]
 fn hollows_fill_to_the_level_of_priority_flood() {
-    // WC5: with enough rain every hollow stands at its lowest pass, whatever the rule and in however many rounds.
+    // WC5: with enough rain every hollow stands at its lowest pass, whatever the rule and in
+    // however many rounds.
     let (domain, z) = ground(Edge::Open, 60, 70, rough);
     let level = flood_levels(&domain, &z);
     for (rule, rounds) in RULES.into_iter().flat_map(|r| [(r, 1), (r, 7)]) {
@@ -153,7 +154,8 @@ fn what_passes_adds_up_to_drainage_area_where_water_takes_one_way() {
 
 #[test]
 fn a_broken_dam_runs_at_twice_the_speed_of_its_wave() {
-    // WC11 (Ritter): the front on a dry bed without friction runs at 2 sqrt(g h0); where it is h deep, 3 sqrt(g h) slower.
+    // WC11 (Ritter): the front on a dry bed without friction runs at 2 sqrt(g h0); where it is h
+    // deep, 3 sqrt(g h) slower.
     let (domain, z) = ground(Edge::Closed, 3, 2000, |_, _| 0.0);
     let (h0, dx) = (1.0, 10.0);
     let mut water: Vec<f64> = (0..z.len()).map(|i| if i % 2000 < 1000 { h0 } else { 0.0 }).collect();
@@ -198,7 +200,8 @@ fn water_in_pipes_comes_to_rest_level() {
 
 #[test]
 fn rivers_keep_their_water_across_level_ground() {
-    // A slope, a level terrace with a hollow in it, a slope: what came from above crosses every row, whichever way.
+    // A slope, a level terrace with a hollow in it, a slope: what came from above crosses every
+    // row, whichever way.
     let n = 40;
     let (domain, z) = ground(Edge::Open, n, n, |x, y| {
         let noise = 0.3 * Seed(3).uniform((y * 99.0 + x) as u64);
@@ -226,7 +229,8 @@ fn rivers_keep_their_water_across_level_ground() {
 
 #[test]
 fn a_full_lake_passes_on_what_comes_in_and_no_more() {
-    // Fifty rounds of little water over a deep bowl above an open side: what stands in it is no flow.
+    // Fifty rounds of little water over a deep bowl above an open side: what stands in it is no
+    // flow.
     let (domain, z) = ground(Edge::Open, 31, 31, |x, y| {
         let r = math::hypot(x - 15.0, y - 12.0);
         60.0 - y - 30.0 * (1.0 - r / 8.0).max(0.0)
@@ -245,7 +249,8 @@ fn a_full_lake_passes_on_what_comes_in_and_no_more() {
 
 #[test]
 fn strips_of_pipes_join_without_a_seam() {
-    // Ground and its transpose, higher than one strip: the same water, whichever side strips are cut along; a wall in between.
+    // Ground and its transpose, higher than one strip: the same water, whichever side strips are
+    // cut along; a wall in between.
     let (rows, cols) = (75, 53);
     let f = |x: f64, y: f64| if (x, y) == (20.0, 33.0) { f64::NAN } else { rough(x, y) };
     let run = |rows: usize, cols: usize, f: &dyn Fn(f64, f64) -> f64| {
@@ -268,8 +273,8 @@ fn strips_of_pipes_join_without_a_seam() {
 
 #[test]
 fn water_crosses_a_plain_as_fast_towards_any_side() {
-    // A level plain with a hill in a corner and its opposite side open: nodes are taken in the order of their tilt, so that all
-    // that falls leaves, whichever way the plain is turned.
+    // A level plain with a hill in a corner and its opposite side open: nodes are taken in the
+    // order of their tilt, so that all that falls leaves, whichever way the plain is turned.
     let n = 60;
     for turned in [false, true] {
         let (_, z) = ground(Edge::Closed, n, n, |x, y| {

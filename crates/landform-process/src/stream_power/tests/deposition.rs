@@ -24,7 +24,8 @@ fn steady_slopes_grow_by_one_plus_g() {
 #[test]
 fn every_node_obeys_the_equation_of_the_step_and_sediment_is_conserved() {
     // One step from rough ground with lakes, against the equation itself with fluxes summed anew.
-    // Two nodes of a hundred may be off, by a decision about a lake; the others by a hundredth of what is worn off.
+    // Two nodes of a hundred may be off, by a decision about a lake; the others by a hundredth of
+    // what is worn off.
     for (n, talus, limiting) in [
         (1.0, None, 0.0),
         (1.0, Some(20.0), 0.0),

@@ -1,4 +1,5 @@
-//! Steady states against theory, on both representations. Identifiers in brackets are those of the validation notes.
+//! Steady states against theory, on both representations. Identifiers in brackets are those of the
+//! validation notes.
 
 use landform_core::algo::flow::{Flow, node_areas};
 use landform_core::field::names;

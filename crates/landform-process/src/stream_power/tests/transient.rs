@@ -48,7 +48,8 @@ fn slopes_follow_an_uplift_that_varies_in_space() {
 
 #[test]
 fn a_knickpoint_travels_at_its_celerity() {
-    // SP5: uplift doubles; k_sn crosses its middle where the travel time τ(x) = ∫ dx/(K Aᵐ) equals the time.
+    // SP5: uplift doubles; k_sn crosses its middle where the travel time τ(x) = ∫ dx/(K Aᵐ) equals
+    // the time.
     let (n, cell, m) = (401, 25.0, 0.45);
     let settled = evolve(line(n, cell), 1.0, law(m, 1.0), 10.0 * MYR, Stop::steady(1e-12).or_steps(500));
     let time = 1.5 * MYR;
@@ -84,7 +85,8 @@ fn halving_the_step_halves_the_error() {
 
 #[test]
 fn rescaled_landscapes_are_the_same() {
-    // SP10: lengths in sqrt(D/K), times in 1/K, heights in U/K (m = 0.5); factors are powers of two.
+    // SP10: lengths in sqrt(D/K), times in 1/K, heights in U/K (m = 0.5); factors are powers of
+    // two.
     let run = |length: f64, time: f64, height: f64| {
         let n = 24;
         let mut grid = Grid::new(Shape::new(n, n), [100.0 * length; 2]).unwrap();
@@ -116,7 +118,8 @@ fn rescaled_landscapes_are_the_same() {
 
 #[test]
 fn slopes_above_the_talus_angle_can_relax_slowly() {
-    // Eq. 3.7 of the thesis on a cliff without rivers: the excess over the talus slope falls by 1/(1 + c) a step.
+    // Eq. 3.7 of the thesis on a cliff without rivers: the excess over the talus slope falls by
+    // 1/(1 + c) a step.
     let mut terrain = line(3, 10.0);
     terrain.change(Layer::Bedrock, |z| z.copy_from_slice(&[0.0, 100.0, 100.0]));
     let rivers = StreamPower {
@@ -127,7 +130,8 @@ fn slopes_above_the_talus_angle_can_relax_slowly() {
     };
     let mut sim = Simulation::new(terrain).process(rivers).unwrap().dt(10.0 * KYR).until(Stop::steps(1));
     sim.run().unwrap();
-    // 1 mm/yr for 10 kyr is 10 m per unit of slope; over 10 m of length, c = 1: half of the excess of 90 m is left.
+    // 1 mm/yr for 10 kyr is 10 m per unit of slope; over 10 m of length, c = 1: half of the excess
+    // of 90 m is left.
     assert!((sim.terrain().elevation()[1] - 55.0).abs() < 1e-9, "{}", sim.terrain().elevation()[1]);
 }
 
@@ -169,8 +173,8 @@ fn base_levels_fall_with_the_sea() {
 
 #[test]
 fn creep_and_rivers_share_an_unchannelized_strip() {
-    // SP12: D p' + K xᵐ p = U on a strip one cell wide (area = width · x from the divide), p the slope:
-    // p(x) = (U/D) ∫₀ˣ exp(−K' (xᵐ⁺¹ − sᵐ⁺¹)/(D (m + 1))) ds, K' = K widthᵐ.
+    // SP12: D p' + K xᵐ p = U on a strip one cell wide (area = width · x from the divide), p the
+    // slope: p(x) = (U/D) ∫₀ˣ exp(−K' (xᵐ⁺¹ − sᵐ⁺¹)/(D (m + 1))) ds, K' = K widthᵐ.
     let (n, cell, m, creep) = (101, 2.0, 0.5, 5.0);
     let k = creep / math::pow(200.0, 1.5) / math::pow(cell, m);
     let rivers = StreamPower { erodibility: Some(Erodibility::of(k).into()), ..law(m, 1.0) };

@@ -4,8 +4,9 @@ use landform_core::units::Diffusivity;
 
 use super::*;
 
-/// Half of a ridge between two open sides, from its divide in the north to base level in the south, with water in sheets (area
-/// per width), at a channelization index; elevations after so many times L²/D, L half the ridge's width.
+/// Half of a ridge between two open sides, from its divide in the north to base level in the south,
+/// with water in sheets (area per width), at a channelization index; elevations after so many times
+/// L²/D, L half the ridge's width.
 fn strip(index: f64, rows: usize, cols: usize, times: f64, steps: u64) -> Vec<f64> {
     let (length, d) = (100.0, 0.01);
     let dx = length / (rows - 1) as f64;
@@ -46,7 +47,8 @@ fn roughness(z: &[f64], cols: usize, row: usize) -> f64 {
 
 #[test]
 fn slopes_break_into_valleys_above_a_critical_index() {
-    // VP3: smooth at 20, channels at 80 (critical: about 37, Bonetti et al. 2020; here between 28 and 56).
+    // VP3: smooth at 20, channels at 80 (critical: about 37, Bonetti et al. 2020; here between 28
+    // and 56).
     let smooth = strip(20.0, 41, 120, 2.0, 200);
     let broken = strip(80.0, 41, 120, 2.0, 200);
     let at = |z: &[f64]| roughness(z, 120, 20);
@@ -56,8 +58,8 @@ fn slopes_break_into_valleys_above_a_critical_index() {
 
 #[test]
 fn a_threshold_spares_what_is_gentle() {
-    // Where k A^m S^n stays below k theta nothing is cut; a river above it keeps the excess: S A^m = theta + U/k at a steady
-    // state.
+    // Where k A^m S^n stays below k theta nothing is cut; a river above it keeps the excess: S
+    // A^m = theta + U/k at a steady state.
     let theta = 40.0;
     for n in [1.0, 1.4] {
         let rivers = StreamPower { threshold: theta, ..law(0.5, n) };

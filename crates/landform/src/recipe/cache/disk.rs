@@ -136,8 +136,9 @@ impl Disk {
         Ok(kept.iter().map(|item| item.bytes).sum())
     }
 
-    /// Removes the least recently used terrains beyond the limit; returns how many bytes became free. Files that cannot be
-    /// removed are left. What killed processes left unfinished goes, too.
+    /// Removes the least recently used terrains beyond the limit; returns how many bytes became
+    /// free. Files that cannot be removed are left. What killed processes left unfinished goes,
+    /// too.
     pub(super) fn trim(&self) -> u64 {
         sweep(&self.folder);
         let mut kept = self.files().unwrap_or_default();

@@ -8,8 +8,8 @@ use sha2::{Digest, Sha256};
 
 use crate::recipe::entry::Entry;
 
-/// The key of the terrain after a stage: what came before and beside it, the stage with its parameters and seed, the files that
-/// it reads, and the program.
+/// The key of the terrain after a stage: what came before and beside it, the stage with its
+/// parameters and seed, the files that it reads, and the program.
 pub(in crate::recipe) fn key(before: &[&str], entry: &Entry, folder: &Path, salt: &str) -> String {
     let mut hash = Sha256::new();
     let surroundings = before.join(" ");

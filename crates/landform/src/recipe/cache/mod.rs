@@ -16,7 +16,8 @@ use disk::Disk;
 pub use disk::Kept;
 pub(super) use key::{input_paths, key, short_hash};
 
-/// Terrains after each stage, kept between runs. The least recently used terrains are removed first, in memory and on disk.
+/// Terrains after each stage, kept between runs. The least recently used terrains are removed
+/// first, in memory and on disk.
 ///
 /// ```
 /// use landform::core::verb::MemoryOutput;
@@ -87,7 +88,8 @@ impl Cache {
         self.disk.as_ref().map_or(Ok(0), Disk::clear)
     }
 
-    /// Removes the least recently used terrains, down to the limit; returns how many bytes became free on disk.
+    /// Removes the least recently used terrains, down to the limit; returns how many bytes became
+    /// free on disk.
     pub fn trim(&self) -> u64 {
         self.disk.as_ref().map_or(0, Disk::trim)
     }

@@ -1,4 +1,5 @@
-//! A step of pipes, for a whole row of them at once: no branches, so that the compiler can take several together.
+//! A step of pipes, for a whole row of them at once: no branches, so that the compiler can take
+//! several together.
 
 use super::{GRAVITY, THIN};
 
@@ -23,8 +24,8 @@ pub(super) struct Line<'a> {
     pub(super) ground: [&'a [f64]; 2],
     pub(super) water: [&'a [f64]; 2],
     pub(super) speed: &'a [f64],
-    /// Speed in the pipes in line with these, before their beginnings and after their ends, and the water at those pipes' far
-    /// ends.
+    /// Speed in the pipes in line with these, before their beginnings and after their ends, and the
+    /// water at those pipes' far ends.
     pub(super) speed_beyond: [&'a [f64]; 2],
     pub(super) water_beyond: [&'a [f64]; 2],
 }
@@ -82,8 +83,8 @@ impl Kind {
         let height = greater(hi, hj) - greater(g[0], g[1]);
         // Ground without a height is a wall.
         let is_open = (height > THIN) & !rise.is_nan();
-        // Momentum comes with the flow into the nodes at both ends, from upstream; implicit, since a thin front takes it up at
-        // once.
+        // Momentum comes with the flow into the nodes at both ends, from upstream; implicit, since
+        // a thin front takes it up at once.
         let flow = |speed: f64, from: f64, to: f64| speed * if speed > 0.0 { from } else { to };
         let own = flow(speed, wi, wj);
         let from_before = greater(flow(before.0, before.1, wi) + own, 0.0);
@@ -123,8 +124,8 @@ fn fastest(speed: &[f64]) -> f64 {
 /// x^(-4/3) for normal x > 0, to 3e-4: roughness is never known so exactly.
 #[inline(always)]
 fn drag(x: f64) -> f64 {
-    // x^(-1/3) to within 4 %: minus a third of the exponent (two thirds less one, as fast as a product of 32 bits), with the bias
-    // put right.
+    // x^(-1/3) to within 4 %: minus a third of the exponent (two thirds less one, as fast as a
+    // product of 32 bits), with the bias put right.
     let bits = x.to_bits();
     let r = f64::from_bits(0x553E_F0FF_289D_D796_u64.wrapping_add((bits >> 32) * 0xAAAA_AAAA).wrapping_sub(bits));
     let s = r * r;

@@ -1,20 +1,22 @@
 //! Water in time steps: columns joined by pipes.
 //!
 //! # Model
-//! Between neighbours runs a pipe as wide as a cell and as high as the water stands over the higher of their beds. Water in it is
-//! accelerated by the difference of levels and slowed by friction and by the momentum that it carries along. No column loses more
-//! than it has.
+//! Between neighbours runs a pipe as wide as a cell and as high as the water stands over the higher
+//! of their beds. Water in it is accelerated by the difference of levels and slowed by friction and
+//! by the momentum that it carries along. No column loses more than it has.
 //!
 //! # Method
-//! Explicit: fluxes on faces, then the part of them that the columns can give, then columns. The step is at most 0.4 of the time
-//! that a wave needs across a cell. Friction is implicit. Strips of rows run in parallel, and in a strip one row after another
-//! with a window of its neighbours, so that fields are read and written once a step; rows at the sides of strips are computed
-//! twice in the same way, so the water that leaves one column enters the next.
+//! Explicit: fluxes on faces, then the part of them that the columns can give, then columns. The
+//! step is at most 0.4 of the time that a wave needs across a cell. Friction is implicit. Strips of
+//! rows run in parallel, and in a strip one row after another with a window of its neighbours, so
+//! that fields are read and written once a step; rows at the sides of strips are computed twice in
+//! the same way, so the water that leaves one column enters the next.
 //!
 //! # Sources
-//! O'Brien & Hodgins (1995) and Mei, Decaudin & Hu (2007) for pipes with scaled outflow (listing 4.3 of Pytel 2015); Bates,
-//! Horritt & Fewtrell (2010) for the height of the pipe and implicit friction; Stelling & Duinmeijer (2003) for the momentum that
-//! the flow carries between columns, without which a dam break runs at a fourth of its speed.
+//! O'Brien & Hodgins (1995) and Mei, Decaudin & Hu (2007) for pipes with scaled outflow (listing
+//! 4.3 of Pytel 2015); Bates, Horritt & Fewtrell (2010) for the height of the pipe and implicit
+//! friction; Stelling & Duinmeijer (2003) for the momentum that the flow carries between columns,
+//! without which a dam break runs at a fourth of its speed.
 
 mod face;
 mod strip;
@@ -35,7 +37,8 @@ const THIN: f64 = 1e-6;
 /// Fewest rows of a strip.
 const STRIP: usize = 16;
 
-/// Water in pipes between the nodes of a raster; nothing crosses its sides but where they are base level.
+/// Water in pipes between the nodes of a raster; nothing crosses its sides but where they are base
+/// level.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Pipes {
     /// Speed in the pipes to the east and to the south of every node, m/s.
@@ -56,7 +59,8 @@ struct Scratch {
     east: Vec<f64>,
     south: Vec<f64>,
     water: Vec<f64>,
-    /// Volume that has crossed to the east and to the south since the sums were begun, m³, and the time, s.
+    /// Volume that has crossed to the east and to the south since the sums were begun, m³, and the
+    /// time, s.
     crossed_east: Vec<f64>,
     crossed_south: Vec<f64>,
     time: f64,
@@ -86,11 +90,13 @@ impl Pipes {
         self.scratch.time = 0.0;
     }
 
-    /// Mean net discharge through each node since sums were begun, m³/s: water that sloshes to and fro does not count.
+    /// Mean net discharge through each node since sums were begun, m³/s: water that sloshes to and
+    /// fro does not count.
     pub fn net_discharge(&self, domain: &RasterDomain) -> Vec<f64> {
         let cols = domain.shape().cols;
         let Scratch { crossed_east, crossed_south, time, .. } = &self.scratch;
-        // Along an axis: the flow through the node; where water enters from both sides, or leaves to both, the difference.
+        // Along an axis: the flow through the node; where water enters from both sides, or leaves
+        // to both, the difference.
         let through = |a: f64, b: f64| if a * b >= 0.0 { a.abs().max(b.abs()) } else { 0.5 * (a + b).abs() };
         parallel::map(crossed_east.len(), |i| {
             let west = if i % cols > 0 { crossed_east[i - 1] } else { 0.0 };
@@ -99,8 +105,8 @@ impl Pipes {
         })
     }
 
-    /// Volume that flowed from a node to its neighbours in the east, south, west and north since sums were begun, m³; negative
-    /// where it flowed to the node.
+    /// Volume that flowed from a node to its neighbours in the east, south, west and north since
+    /// sums were begun, m³; negative where it flowed to the node.
     pub fn volume_out(&self, domain: &RasterDomain, node: usize) -> impl Iterator<Item = (usize, f64)> {
         let (Scratch { crossed_east: east, crossed_south: south, .. }, shape) = (&self.scratch, domain.shape());
         let (row, col) = (node / shape.cols, node % shape.cols);
@@ -111,8 +117,8 @@ impl Pipes {
         [to_east, to_south, to_west, to_north].into_iter().flatten()
     }
 
-    /// One step of `dt` seconds. The supply is the water that enters and leaves in a second; `ends` are the nodes where water
-    /// leaves.
+    /// One step of `dt` seconds. The supply is the water that enters and leaves in a second; `ends`
+    /// are the nodes where water leaves.
     pub fn step(
         &mut self,
         domain: &RasterDomain,

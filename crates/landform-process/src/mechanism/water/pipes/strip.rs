@@ -1,4 +1,5 @@
-//! A step for some rows, from the first to the last: the values that a row needs of its neighbours are kept in a moving window.
+//! A step for some rows, from the first to the last: the values that a row needs of its neighbours
+//! are kept in a moving window.
 
 use std::ops::Range;
 
