@@ -132,6 +132,19 @@ macro_rules! representations {
             }
         }
 
+        impl Kind {
+            /// Whether such a terrain has one elevation a node.
+            ///
+            /// ```
+            /// use landform_core::terrain::Kind;
+            ///
+            /// assert!(Kind::Mesh.is_surface() && !Kind::VoxelGrid.is_surface());
+            /// ```
+            pub const fn is_surface(self) -> bool {
+                matches!(self, $(Self::$type)|*)
+            }
+        }
+
         /// Bytes a node while processes run on a kind of terrain, measured.
         pub fn bytes_a_node(kind: Kind) -> u64 {
             [$(($type::KIND, $type::BYTES_A_NODE),)* $(($body::KIND, $body::BYTES_A_NODE)),*].iter().find(|k| k.0 == kind).map_or(0, |k| k.1)

@@ -81,17 +81,6 @@ impl Kind {
             Self::VoxelGrid => "voxel grid",
         }
     }
-
-    /// Whether such a terrain has one elevation a node.
-    ///
-    /// ```
-    /// use landform_core::terrain::Kind;
-    ///
-    /// assert!(Kind::Mesh.is_surface() && !Kind::VoxelGrid.is_surface());
-    /// ```
-    pub const fn is_surface(self) -> bool {
-        !matches!(self, Self::VoxelGrid)
-    }
 }
 
 impl std::fmt::Display for Kind {

@@ -24,8 +24,8 @@ pub(super) struct Field {
     pub(super) unit: f64,
     /// Units that left over the sides.
     pub(super) left: i64,
-    /// Units of all that is gone that steps have told of.
-    pub(super) told: i64,
+    /// Units that are gone, as far as steps have reported them.
+    reported: i64,
     /// Whether what leaves on one side enters on the other.
     torus: bool,
 }
@@ -74,13 +74,13 @@ impl Field {
             sand.lay(i, slabs * UNITS_A_SLAB + (lying(i) / unit).round() as i32);
         }
         sand.settle();
-        Ok(Self { sand, ground, unit, left: 0, told: 0, torus })
+        Ok(Self { sand, ground, unit, left: 0, reported: 0, torus })
     }
 
-    /// Units that are gone and that no step has told of yet.
+    /// Units that are gone and that no step has reported yet.
     pub(super) fn newly_lost(&mut self) -> i64 {
         let gone = self.sand.swallowed() + self.left;
-        gone - std::mem::replace(&mut self.told, gone)
+        gone - std::mem::replace(&mut self.reported, gone)
     }
 
     /// Height of a slab, m.

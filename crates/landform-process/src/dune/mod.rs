@@ -107,7 +107,9 @@ impl Process<HeightField> for Dunes {
             within_map("reach", self.reach(), terrain.grid())?;
         }
         let field = Field::lay(self, terrain, context)?;
-        let protection = (self.model == Model::Protection).then(|| Protection::new(self, terrain.grid(), &field));
+        let rose = self.rose(context.environment)?;
+        let is_protection = self.model == Model::Protection;
+        let protection = is_protection.then(|| Protection::new(self, &rose, terrain.grid(), &field));
         terrain.make_layered(&context.environment.materials);
         field.write(terrain)?;
         Ok(State { field, protection, seed: context.seed, scratch: Scratch::default() })
@@ -127,7 +129,7 @@ impl Process<HeightField> for Dunes {
         // Finer slabs belong to the end of a run of known length.
         let is_own = at.of == Some(self.iterations + self.fine_rounds());
         field.sand.set_slab(self.slab_units(if is_own { at.index } else { 0 }));
-        // Sand that slid off the map as it was laid was there before the run, and is gone.
+        // As sand is laid, before the first step, some may slide off the map.
         let at_first = field.newly_lost() as f64;
         match self.model {
             Model::Koh => koh::round(self, terrain.grid(), field, &mut scratch.air, &rose, wind, part, at.seed),

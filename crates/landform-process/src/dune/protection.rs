@@ -9,6 +9,7 @@
 
 use landform_core::agents::{Connectivity, Falloff, RasterSites, Stencil};
 use landform_core::grid::{Edge, Edges, Grid};
+use landform_core::verb::Rose;
 use serde::{Deserialize, Serialize};
 
 use super::field::Field;
@@ -35,18 +36,18 @@ struct Cones {
 }
 
 impl Protection {
-    pub(super) fn new(params: &Dunes, grid: &Grid, field: &Field) -> Self {
+    pub(super) fn new(params: &Dunes, rose: &Rose, grid: &Grid, field: &Field) -> Self {
         let n = grid.len();
         let mean = (field.sand.total() / n as i64) as i32;
         let edge = if params.borders == Borders::Periodic { Edge::Periodic } else { Edge::Open };
         let mut protection = Self {
             known: vec![mean; n],
-            maps: vec![vec![0; n]; params.wind.len()],
+            maps: vec![vec![0; n]; rose.winds().len()],
             cones: None,
             grid: Grid { edges: Edges::all(edge), ..grid.clone() },
             reach: params.reach().si(),
             half_angle: params.cone(),
-            towards: params.wind.iter().map(|w| w.towards()).collect(),
+            towards: rose.winds().iter().map(|w| w.towards()).collect(),
         };
         protection.update(field);
         protection

@@ -431,7 +431,21 @@ fn others_take_sand_before_rock_and_two_winds_share_it() {
 }
 
 #[test]
-fn sand_that_falls_into_holes_is_told() {
+fn winds_of_the_environment_blow_for_every_model() {
+    for model in [Model::Werner, Model::Protection, Model::Koh] {
+        let params = Dunes { model, sand: Length::of(1.0).into(), ..Dunes::default() };
+        for wind in [vec![], vec![Wind::from(90.0, 1.0), Wind::from(0.0, 1.0)]] {
+            let environment = Environment { wind, ..Environment::default() };
+            let mut model = landform_core::sim::Model::new(flat(30, 30)).dt(1e12).environment(environment.into());
+            model.add(params.clone()).unwrap();
+            model.advance_steps(3).unwrap();
+            assert!(model.budget().change.eroded > 0.0, "the wind moves sand");
+        }
+    }
+}
+
+#[test]
+fn sand_that_falls_into_holes_is_reported() {
     // Two holes in ground at 500 m, and a ring without holes.
     let hole = |i: usize| [20 * 40 + 20, 20 * 40 + 21, 5 * 40 + 33].contains(&i);
     let z = (0..1600).map(|i| if hole(i) { f64::NAN } else { 500.0 }).collect();
