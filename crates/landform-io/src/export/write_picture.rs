@@ -3,14 +3,14 @@
 use landform_core::analysis::{LEAST_WINDOW, density};
 use landform_core::grid::Shape;
 use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
-use landform_core::units::Angle;
+use landform_core::units::{Angle, Length};
 use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::encode_png;
-use crate::render::{MapStyle, Picture, Ramp, View, field_map, perspective, shaded_map, value_picture};
+use crate::render::{MapStyle, Picture, Ramp, Standpoint, View, field_map, perspective, shaded_map, value_picture};
 
 /// Writes a picture (PNG): a map from above, or a perspective view.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -31,20 +31,30 @@ pub struct WritePicture {
     pub logarithmic: Option<bool>,
     /// Whether rivers and lakes are drawn.
     pub water: bool,
-    /// Perspective only: compass direction from which the camera looks.
+    /// Perspective and landscape: compass direction from which the camera looks. With 180 deg the
+    /// north is in the middle.
     pub view_from: Angle,
-    /// Perspective only: angle by which the camera looks down.
-    #[schemars(extend("x-min" = 3.0, "x-max" = 89.0))]
-    pub tilt: Angle,
-    /// Perspective only: compass direction of the sun.
+    /// Perspective and landscape: angle by which the camera looks down. If not given, it is 26 deg
+    /// before a block, and in the land one that shows the skyline.
+    #[schemars(extend("x-min" = -60.0, "x-max" = 89.0))]
+    pub tilt: Option<Angle>,
+    /// Landscape only: place of the eye, [x, y] from the south-west corner of the map. If not given,
+    /// it is one with a wide view, on the side from which one looks.
+    pub standpoint: Option<[Length; 2]>,
+    /// Landscape only: height of the eye over the ground. If not given, it is 3 % of the relief, and
+    /// at least 2 m.
+    #[schemars(extend("x-above" = 0.0))]
+    pub eye_height: Option<Length>,
+    /// Perspective and landscape: compass direction of the sun.
     pub sun: Angle,
-    /// Perspective only: altitude of the sun.
+    /// Perspective and landscape: altitude of the sun.
     #[schemars(extend("x-min" = 1.0, "x-max" = 90.0))]
     pub sun_altitude: Angle,
-    /// Perspective only: factor on elevations.
+    /// Perspective and landscape: factor on elevations.
     #[schemars(extend("x-above" = 0.0, "x-max" = 100.0))]
     pub exaggeration: f64,
-    /// Perspective only: zoom factor. With 1 the whole block is in view; larger values come closer.
+    /// Perspective and landscape: zoom factor. With 1 the whole block is in view, or an angle of
+    /// 56 deg in the land; larger values come closer.
     #[schemars(extend("x-min" = 0.1, "x-max" = 20.0))]
     pub zoom: f64,
 }
@@ -57,6 +67,8 @@ pub enum ViewKind {
     Map,
     /// A block of land under a low sun.
     Perspective,
+    /// The land from a standpoint in it, up to the horizon.
+    Landscape,
     /// The spectral density of relief over the plane of wave numbers, with long waves in the
     /// middle. Density and radius are logarithmic.
     Spectrum,
@@ -74,7 +86,9 @@ impl Default for WritePicture {
             logarithmic: None,
             water: true,
             view_from: Angle::from_si(view.from),
-            tilt: Angle::from_si(view.tilt),
+            tilt: None,
+            standpoint: None,
+            eye_height: None,
             sun: Angle::from_si(view.sun),
             sun_altitude: Angle::from_si(view.sun_altitude),
             exaggeration: view.exaggeration,
@@ -103,6 +117,15 @@ impl Params for WritePicture {
         if !self.path.to_lowercase().ends_with(".png") {
             return Err(Error::extension("path", &self.path, &["png"]));
         }
+        let given = [("standpoint", self.standpoint.is_some()), ("eye_height", self.eye_height.is_some())];
+        if let Some((name, _)) = given.into_iter().find(|g| g.1 && self.view != ViewKind::Landscape) {
+            return Err(Error::Incomplete { name: name.into(), needs: "view = \"landscape\"" });
+        }
+        if self.view == ViewKind::Perspective && self.tilt.is_some_and(|tilt| tilt.si() < 3.0_f64.to_radians()) {
+            let tilt = self.tilt.map_or(0.0, Angle::si).to_degrees();
+            let expected = "at least 3 deg before a block; view = \"landscape\" stands in the land";
+            return Err(Error::parameter("tilt", format!("{tilt:.1} deg"), expected));
+        }
         Ok(())
     }
 }
@@ -114,20 +137,27 @@ impl WritePicture {
     /// If a field is missing, and where `HeightField::new` fails.
     pub fn draw<T: Rasterize>(&self, terrain: &T) -> Result<Picture> {
         let raster = terrain.rasterized()?;
-        if self.view == ViewKind::Perspective {
+        if [ViewKind::Perspective, ViewKind::Landscape].contains(&self.view) {
+            let view = View::default();
+            let standpoint = Standpoint {
+                at: self.standpoint.map(|place| place.map(Length::si)),
+                height: self.eye_height.map(Length::si),
+                tilt: self.tilt.map(Angle::si),
+            };
             return Ok(perspective(
                 &raster,
                 &View {
                     width: self.size,
                     height: self.size * 9 / 16,
                     from: self.view_from.si(),
-                    tilt: self.tilt.si(),
+                    tilt: self.tilt.map_or(view.tilt, Angle::si),
                     sun: self.sun.si(),
                     sun_altitude: self.sun_altitude.si(),
                     exaggeration: self.exaggeration,
                     zoom: self.zoom,
                     water: self.water,
-                    ..View::default()
+                    standpoint: (self.view == ViewKind::Landscape).then_some(standpoint),
+                    ..view
                 },
             ));
         }

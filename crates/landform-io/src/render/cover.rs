@@ -97,6 +97,12 @@ impl Cover {
         math::smoothstep(0.02, 0.25, self.sand[i] / self.cell)
     }
 
+    /// How much of a node lies under sand or snow, which are smooth, 0 to 1.
+    pub(super) fn smooth(&self, i: usize) -> f64 {
+        let sand = if self.sand.is_empty() { 0.0 } else { self.sand(i) };
+        if self.snow.is_empty() { sand } else { sand.max(self.snow(i)) }
+    }
+
     /// How much of a node snow covers, 0 to 1.
     fn snow(&self, i: usize) -> f64 {
         math::smoothstep(0.02, 0.4, self.snow[i])

@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 pub use colour::Ramp;
 pub use drawing::{Waters, waters};
 pub use map::{MapStyle, difference_map, field_map, shaded_map, value_picture};
-pub use perspective::{View, perspective};
+pub use perspective::{Standpoint, View, perspective};
 
 /// A picture: 8-bit red, green, blue, row-major from the top.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

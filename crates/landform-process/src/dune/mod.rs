@@ -78,7 +78,7 @@ landform_core::stages! {
 pub struct State {
     field: Field,
     protection: Option<Protection>,
-    /// Seed of the whole run: a spell keeps its wind from round to round.
+    /// Seed of the whole run: it draws the wind of several rounds, a spell.
     seed: Seed,
     #[serde(skip)]
     scratch: Scratch,
@@ -87,7 +87,7 @@ pub struct State {
 /// Memory that rounds reuse.
 #[derive(Clone, Debug, Default)]
 struct Scratch {
-    /// Height that the air is sheltered to, or strength of the wind.
+    /// Koh: strength of the wind. Else the height, units, under which there is none.
     air: Vec<f32>,
     lines: Vec<f32>,
     sheltered: Vec<bool>,

@@ -11,7 +11,7 @@ use super::protection::Protection;
 use crate::mechanism::wind::WindScan;
 
 /// How often shelter is found anew in a round.
-const LOOKS_A_ROUND: u64 = 4;
+const SHELTERS_A_ROUND: u64 = 4;
 /// Sites of a strip on which the wind acts together: their heights, sand and shelter fit in the
 /// second-level cache.
 const STRIP: usize = 1 << 16;
@@ -33,12 +33,12 @@ pub(super) fn round(
     let towards = rose.winds()[wind].towards();
     let hop = field.cells_of(towards, params.hop(grid), grid.spacing);
     let slab = field.sand.slab();
-    for look in 0..LOOKS_A_ROUND {
+    for part_of_round in 0..SHELTERS_A_ROUND {
         find_shelter(params, grid, field, protection.as_deref_mut(), scratch, (wind, towards));
-        let mut stream = seed.with(look).stream();
+        let mut stream = seed.with(part_of_round).stream();
         for strip in 0..n.div_ceil(STRIP) {
             let sites = strip * STRIP..((strip + 1) * STRIP).min(n);
-            let times = (sites.len() as f64 * part / LOOKS_A_ROUND as f64).ceil() as usize;
+            let times = (sites.len() as f64 * part / SHELTERS_A_ROUND as f64).ceil() as usize;
             blow(params, field, &scratch.sheltered, hop, slab, sites, times, &mut stream);
         }
     }
@@ -99,7 +99,7 @@ fn blow(
             continue;
         }
         let taken = field.sand.take(site, slab);
-        let mut luck = bits & 0xffff_ffff;
+        let mut draw = bits & 0xffff_ffff;
         let mut at = site;
         loop {
             let [mut c, mut r] = whole;
@@ -114,11 +114,11 @@ fn blow(
             };
             at = next;
             let depth = field.sand.depth(at);
-            if field.sand.is_sink(at) || sheltered[at] || luck < if depth > 0 { on_sand } else { on_ground } {
+            if field.sand.is_sink(at) || sheltered[at] || draw < if depth > 0 { on_sand } else { on_ground } {
                 field.sand.put(at, taken);
                 break;
             }
-            luck = stream.bits() >> 32;
+            draw = stream.bits() >> 32;
         }
     }
 }

@@ -1,0 +1,105 @@
+//! Colours of the ground.
+
+use landform_core::algo::derivative::gradient;
+use landform_core::algo::noise::fbm;
+use landform_core::grid::Grid;
+use landform_core::math;
+use landform_core::random::Seed;
+use landform_core::terrain::HeightField;
+
+use crate::render::colour::{Rgb, blend, from_oklab, hex, to_oklab};
+use crate::render::cover::Cover;
+use crate::render::waters;
+
+/// Colours of the ground: each a pair between which patches vary, in Oklab, so that a node's colour
+/// is a few plain means.
+struct Inks {
+    meadow: [Rgb; 2],
+    heath: [Rgb; 2],
+    forest: [Rgb; 2],
+    rock: [Rgb; 2],
+    snow: Rgb,
+    river: Rgb,
+}
+
+impl Inks {
+    fn new() -> Self {
+        let ink = |code: u32| to_oklab(hex(code));
+        Self {
+            meadow: [ink(0x59693c), ink(0x7d7d50)],
+            heath: [ink(0x7a7056), ink(0x92856c)],
+            forest: [ink(0x2f3f28), ink(0x465634)],
+            rock: [ink(0x7d736a), ink(0x9d948a)],
+            snow: ink(0xdfe4ea),
+            river: ink(0x35617f),
+        }
+    }
+}
+
+/// What the ground's colours follow.
+pub(super) struct Paint {
+    inks: Inks,
+    pub(super) river: Vec<f64>,
+    cover: Cover,
+    low: f64,
+    relief: f64,
+    exaggeration: f64,
+}
+
+impl Paint {
+    pub(super) fn new(field: &HeightField, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
+        let low = if lo < 0.0 && hi > 0.0 { 0.0 } else { lo };
+        Self {
+            inks: Inks::new(),
+            river: waters(field).river,
+            cover: Cover::of(field),
+            low: low * exaggeration,
+            relief: ((hi - low) * exaggeration).max(1e-9),
+            exaggeration,
+        }
+    }
+
+    /// Whether sand lies on the ground.
+    pub(super) fn is_desert(&self) -> bool {
+        self.cover.is_desert()
+    }
+
+    /// How rough a node is up close: 1, and less under sand and snow.
+    pub(super) fn roughness(&self, i: usize) -> f64 {
+        1.0 - 0.8 * self.cover.smooth(i)
+    }
+
+    /// The colour of a node of a raster at `z`.
+    pub(super) fn ground(&self, grid: &Grid, z: &[f64], i: usize) -> Rgb {
+        let gradient = gradient(grid, z, i);
+        let slope = gradient.slope() / self.exaggeration;
+        let [x, y] = grid.position(i);
+        let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
+        let patch = fbm(Seed(3), 24.0 * x / size, 24.0 * y / size, 5, 2.0, 0.55);
+        let height = (z[i] - self.low) / self.relief + 0.07 * patch;
+        let mean = |a: Rgb, b: Rgb, t: f64| blend(a, b, t.clamp(0.0, 1.0));
+        let patched = |[a, b]: [Rgb; 2], strength: f64| mean(a, b, 0.5 + strength * patch);
+        let Inks { meadow, heath, forest, rock, snow: white, river: blue } = &self.inks;
+        let mut colour = mean(patched(*meadow, 0.8), patched(*heath, 0.7), math::smoothstep(0.18, 0.55, height));
+        if !self.cover.is_desert() {
+            // Trees like the shade, and leave heights and the steepest ground.
+            let stands = fbm(Seed(5), 90.0 * x / size, 90.0 * y / size, 4, 2.1, 0.6);
+            let shady = (-gradient.y / self.exaggeration).clamp(-0.6, 0.6);
+            let room = 0.45 + 0.8 * stands + 0.7 * shady - 1.3 * math::smoothstep(0.40, 0.72, height);
+            let share = math::smoothstep(0.3, 0.6, room - math::smoothstep(0.75, 1.2, slope));
+            colour = mean(colour, patched(*forest, 0.8), 0.9 * share);
+        }
+        let steep = math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0));
+        colour = mean(colour, patched(*rock, 0.8), steep);
+        // The lower the land, the nearer to its top the snow begins.
+        let line = math::lerp(1.1, 0.72, math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
+        let snow =
+            math::smoothstep(line - 0.02, line + 0.1, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));
+        colour = mean(colour, *white, snow);
+        let river = self.river[i];
+        if river > 0.45 {
+            colour = mean(colour, *blue, math::smoothstep(0.45, 0.8, river));
+        }
+        self.cover.tint(from_oklab(colour), i, 0.92 + 0.08 * patch)
+    }
+}

@@ -1,0 +1,517 @@
+//! The land as rays meet it: its surface, its light, its colours.
+
+use landform_core::algo::derivative::gradient;
+use landform_core::algo::noise::{fbm, gradient_noise};
+use landform_core::grid::{Grid, Shape};
+use landform_core::random::Seed;
+use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::{math, parallel};
+
+use super::View;
+use super::paint::Paint;
+use super::sky::Sky;
+use super::vector::{Vector, along, dot, normalize};
+use crate::render::colour::{Rgb, blend, hex, mix, scale};
+use crate::render::cover::cut;
+use crate::render::light::{sky_view, sun_view};
+use crate::render::pyramid::Pyramid;
+use crate::render::waters;
+
+const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
+const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];
+/// Optical depth of air over the length of both sides of a block.
+const HAZE: f64 = 0.35;
+/// Way through clear air after which two thirds of the light are lost, m.
+const CLEAR_AIR: f64 = 24_000.0;
+/// Water is all that one sees where it is so deep, m.
+const CLEAR: f64 = 0.9;
+/// Deep water.
+const DEEP: u32 = 0x1f4e6b;
+
+/// All values of a node that shading needs.
+#[derive(Clone, Copy, Default)]
+struct Skin {
+    normal: Vector,
+    colour: Rgb,
+    sky: f64,
+    sun: f64,
+    /// Depth of water over the ground, m.
+    water: f64,
+    /// How rough the ground is up close, 0 to 1.
+    roughness: f64,
+}
+
+/// The block in local metres: x east, y north from the south-west corner, elevations exaggerated.
+pub(super) struct Scene<'a> {
+    field: &'a HeightField,
+    exaggeration: f64,
+    shape: Shape,
+    spacing: [f64; 2],
+    pub(super) extent: [f64; 2],
+    /// Surface, water included.
+    surface: Vec<f64>,
+    skin: Vec<Skin>,
+    pyramid: Pyramid,
+    pub(super) low: f64,
+    pub(super) high: f64,
+    foot: f64,
+    sun: Vector,
+    sky: Sky,
+    around: Option<Around>,
+}
+
+/// Images of the map that a ray passes, at most.
+const MOST_IMAGES: usize = 16;
+
+/// Where a ray meets the land or an image of it.
+struct Meeting {
+    /// The point of the map.
+    at: Vector,
+    /// How far it is, m.
+    far: f64,
+    /// -1 along x or y where the image is turned round.
+    turned: [f64; 2],
+}
+
+/// How ground is seen from within.
+struct Near {
+    /// What a pixel covers, m.
+    footprint: f64,
+    turned: [f64; 2],
+}
+
+/// What lies around the map, where the eye stands in it.
+struct Around {
+    /// Its level, m.
+    level: f64,
+    /// Its colour.
+    colour: Rgb,
+    /// Whether it is the sea.
+    is_sea: bool,
+    /// Way after which air has taken away most of what is seen, m.
+    clear: f64,
+}
+
+/// Blocks along a side whose highest points the frame must hold.
+const FRAMED: usize = 96;
+
+impl<'a> Scene<'a> {
+    /// Points that the frame must hold: the corners of the foot, and the highest point of every
+    /// part of the surface.
+    pub(super) fn outline(&self) -> Vec<Vector> {
+        let Shape { rows, cols } = self.shape;
+        let [w, h] = self.extent;
+        let mut points = vec![[0.0, 0.0, self.foot], [w, 0.0, self.foot], [0.0, h, self.foot], [w, h, self.foot]];
+        let step = (rows.max(cols) / FRAMED).max(1);
+        for (r, c) in (0..rows).step_by(step).flat_map(|r| (0..cols).step_by(step).map(move |c| (r, c))) {
+            let block = (r..(r + step).min(rows)).flat_map(|r| (c..(c + step).min(cols)).map(move |c| (r, c)));
+            let height = |&(r, c): &(usize, usize)| self.surface[self.shape.index(r, c)];
+            if let Some((r, c)) = block.max_by(|a, b| height(a).total_cmp(&height(b))) {
+                let [x, y] = [c as f64 * self.spacing[0], (rows - 1 - r) as f64 * self.spacing[1]];
+                points.push([x, y, height(&(r, c))]);
+            }
+        }
+        points
+    }
+
+    pub(super) fn new(field: &'a HeightField, view: &View) -> Self {
+        let grid = field.grid();
+        let extent = grid.extent().map(|e| e.max(1e-6));
+        let finite = field.elevation().iter().filter(|z| z.is_finite());
+        let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
+        let ground: Vec<f64> =
+            field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
+        let depth = water_depth(field, lo, hi, view.water);
+        let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i] * view.exaggeration).collect();
+        let (low, high) = (lo * view.exaggeration, hi * view.exaggeration);
+        let surface_high = surface.iter().copied().fold(high, f64::max);
+        let seen_sky = sky_view(grid, &surface);
+        let sun = sun_view(grid, &surface, view.sun, view.sun_altitude);
+        let mut paint = Paint::new(field, (lo, hi), view.exaggeration);
+        // In the land rivers are water that mirrors the sky, not ink on a map.
+        let stream = |strength: f64| 0.8 * math::smoothstep(0.45, 0.8, strength);
+        let stream: Vec<f64> = paint.river.iter().map(|s| stream(*s)).collect();
+        let is_within = view.standpoint.is_some() && view.water;
+        if !view.water || is_within {
+            paint.river.fill(0.0);
+        }
+        let skin = parallel::map(ground.len(), |i| {
+            let g = gradient(grid, &ground, i);
+            let normal = if depth[i] > 0.0 { water_normal(grid, &surface, i) } else { normalize([-g.x, -g.y, 1.0]) };
+            Skin {
+                normal,
+                colour: paint.ground(grid, &ground, i),
+                sky: seen_sky[i],
+                sun: sun[i],
+                water: if is_within { depth[i].max(stream[i]) } else { depth[i] },
+                roughness: paint.roughness(i),
+            }
+        });
+        let ca = math::cos(view.sun_altitude);
+        let pyramid = Pyramid::new(grid.shape, &surface);
+        let foot = low - (0.06 * extent[0].min(extent[1])).max(0.15 * (high - low));
+        Self {
+            field,
+            exaggeration: view.exaggeration,
+            shape: grid.shape,
+            spacing: grid.spacing,
+            extent,
+            surface,
+            skin,
+            pyramid,
+            low,
+            high: surface_high,
+            foot,
+            sun: [math::sin(view.sun) * ca, math::cos(view.sun) * ca, math::sin(view.sun_altitude)],
+            // A model stands before a backdrop, land under the sky.
+            sky: Sky::rising_from(if view.standpoint.is_some() { -0.06 } else { -0.35 }),
+            around: view.standpoint.map(|_| {
+                let is_sea = hi > 0.0 && wet_border(grid.shape, field.elevation()) > 0.3;
+                Around {
+                    level: if is_sea { 0.0 } else { low },
+                    colour: hex(if paint.is_desert() { 0xc9ab80 } else { 0x77764f }),
+                    is_sea,
+                    clear: CLEAR_AIR.max(1.5 * extent[0].max(extent[1])),
+                }
+            }),
+        }
+    }
+
+    /// The colour that comes along a ray to the eye; `angle` is that of a pixel, radians.
+    pub(super) fn trace(&self, from: Vector, direction: Vector, angle: f64) -> Rgb {
+        if let Some(around) = &self.around {
+            return self.trace_within(around, from, direction, angle);
+        }
+        let Some((enter, leave)) = self.box_span(from, direction) else {
+            return self.sky.colour(direction[2]);
+        };
+        let start = enter.max(0.0);
+        let p = along(from, direction, start);
+        let (colour, hit) = if enter > 0.0 && p[2] <= self.height_at(p) {
+            (self.wall(p), start)
+        } else {
+            match self.march(from, direction, start, leave) {
+                Some(t) => (self.shade(along(from, direction, t), direction, None), t),
+                None => return self.sky.colour(direction[2]),
+            }
+        };
+        // Only air over the block hazes: the camera stands far back, as before a model.
+        let haze = 1.0 - math::exp(-HAZE * (hit - start) / (self.extent[0] + self.extent[1]));
+        blend(colour, self.sky.colour(0.0), haze)
+    }
+
+    /// As [`Scene::trace`], from a standpoint in the land.
+    fn trace_within(&self, around: &Around, from: Vector, direction: Vector, angle: f64) -> Rgb {
+        let (colour, far) = match self.hit_beyond(around, from, direction) {
+            Some(Meeting { at, far, turned }) => {
+                (self.shade(at, direction, Some(Near { footprint: far * angle, turned })), far)
+            }
+            None if direction[2] < -1e-6 => {
+                let far = (around.level - from[2]).min(0.0) / direction[2];
+                (self.shade_around(around, direction), far)
+            }
+            None => return self.sky.colour(direction[2]),
+        };
+        let haze = 1.0 - math::exp(-far / around.clear);
+        blend(colour, self.sky.colour(0.0), haze)
+    }
+
+    /// Where a ray meets the land or its images: land goes on beyond the map as in a mirror at each
+    /// side, so that it has no edge. The sea has no images.
+    fn hit_beyond(&self, around: &Around, from: Vector, direction: Vector) -> Option<Meeting> {
+        let (mut from, mut direction, mut passed, mut turned) = (from, direction, 0.0, [1.0; 2]);
+        for _ in 0..MOST_IMAGES {
+            if direction[2] >= 0.0 && from[2] > self.high {
+                return None;
+            }
+            let (enter, leave) = self.box_span(from, direction)?;
+            if let Some(far) = self.march(from, direction, enter.max(0.0), leave) {
+                return Some(Meeting { at: along(from, direction, far), far: passed + far, turned });
+            }
+            let exit = along(from, direction, leave);
+            let is_wall = |k: usize| exit[k] <= 1e-6 * self.extent[k] || exit[k] >= (1.0 - 1e-6) * self.extent[k];
+            let wall = (0..2).find(|&k| is_wall(k) && direction[k] * (exit[k] - 0.5 * self.extent[k]) > 0.0)?;
+            passed += leave;
+            if around.is_sea || passed > 4.0 * around.clear {
+                return None;
+            }
+            direction[wall] = -direction[wall];
+            turned[wall] = -turned[wall];
+            from = [exit[0].clamp(0.0, self.extent[0]), exit[1].clamp(0.0, self.extent[1]), exit[2]];
+        }
+        None
+    }
+
+    /// Distance to the land or an image of it along a ray from within.
+    #[cfg(test)]
+    pub(super) fn distance_within(&self, from: Vector, direction: Vector) -> Option<f64> {
+        let around = self.around.as_ref()?;
+        self.hit_beyond(around, from, direction).map(|meeting| meeting.far)
+    }
+
+    /// Distance to the surface along a ray, if it meets it.
+    pub(super) fn hit(&self, from: Vector, direction: Vector) -> Option<f64> {
+        let (enter, leave) = self.box_span(from, direction)?;
+        self.march(from, direction, enter.max(0.0), leave)
+    }
+
+    /// Whether the map lies in the sea.
+    pub(super) fn is_in_sea(&self) -> bool {
+        self.around.as_ref().is_some_and(|around| around.is_sea)
+    }
+
+    /// The plain or the sea beyond the map.
+    fn shade_around(&self, around: &Around, direction: Vector) -> Rgb {
+        let lit = |colour: Rgb| {
+            let sun = self.sun[2].max(0.0);
+            [0, 1, 2].map(|k| colour[k] * (SUN_LIGHT[k] * sun + SKY_LIGHT[k]))
+        };
+        if around.is_sea { self.mirror(lit(hex(DEEP)), direction) } else { lit(around.colour) }
+    }
+
+    /// Water of a colour, under the sky that it mirrors.
+    fn mirror(&self, below: Rgb, direction: Vector) -> Rgb {
+        let facing = (-direction[2]).clamp(0.0, 1.0);
+        let share = 0.03 + 0.97 * math::pow(1.0 - facing, 5.0);
+        blend(below, self.sky.colour(-direction[2]), share)
+    }
+
+    /// Where a ray is inside the block's box.
+    fn box_span(&self, from: Vector, direction: Vector) -> Option<(f64, f64)> {
+        // An eye in the land may stand above it.
+        let top = if self.around.is_some() { f64::MAX } else { self.high + 1e-3 };
+        let (lo, hi) = ([0.0, 0.0, self.foot], [self.extent[0], self.extent[1], top]);
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for k in 0..3 {
+            let (a, b) = ((lo[k] - from[k]) / direction[k], (hi[k] - from[k]) / direction[k]);
+            enter = enter.max(a.min(b));
+            leave = leave.min(a.max(b));
+        }
+        (enter < leave && leave > 0.0).then_some((enter, leave))
+    }
+
+    /// Column and row of a position, as real numbers.
+    fn col_row(&self, p: Vector) -> [f64; 2] {
+        let c = (p[0] / self.spacing[0]).clamp(0.0, (self.shape.cols - 1) as f64);
+        let r = ((self.extent[1] - p[1]) / self.spacing[1]).clamp(0.0, (self.shape.rows - 1) as f64);
+        [c, r]
+    }
+
+    fn corners(&self, p: Vector) -> ([usize; 4], [f64; 2]) {
+        let [c, r] = self.col_row(p);
+        let (c0, r0) = (c as usize, r as usize);
+        let (c1, r1) = ((c0 + 1).min(self.shape.cols - 1), (r0 + 1).min(self.shape.rows - 1));
+        let at = |r, c| self.shape.index(r, c);
+        ([at(r0, c0), at(r0, c1), at(r1, c0), at(r1, c1)], [c - c0 as f64, r - r0 as f64])
+    }
+
+    pub(super) fn height_at(&self, p: Vector) -> f64 {
+        let (k, [u, v]) = self.corners(p);
+        let [a, b, c, d] = k.map(|i| self.surface[i]);
+        math::lerp(math::lerp(a, b, u), math::lerp(c, d, u), v)
+    }
+
+    /// Distance to the surface along a ray, by leaps over blocks that it passes above.
+    fn march(&self, from: Vector, direction: Vector, start: f64, leave: f64) -> Option<f64> {
+        let top = self.pyramid.levels.len() - 1;
+        let (mut t, mut level) = (start, top);
+        let speed = [direction[0] / self.spacing[0], -direction[1] / self.spacing[1]];
+        let nudge = 1e-6 * self.spacing[0];
+        while t < leave {
+            let p = along(from, direction, t + nudge);
+            let [c, r] = self.col_row(p);
+            let (shape, greatest) = &self.pyramid.levels[level];
+            let side = (1usize << level) as f64;
+            let (bc, br) = (((c / side) as usize).min(shape.cols - 1), ((r / side) as usize).min(shape.rows - 1));
+            // Time until the ray leaves this block.
+            let edge = |at: f64, block: usize, speed: f64| {
+                let wall = if speed > 0.0 { (block + 1) as f64 * side } else { block as f64 * side };
+                if speed == 0.0 { f64::INFINITY } else { ((wall - at) / speed).max(0.0) }
+            };
+            let step = edge(c, bc, speed[0]).min(edge(r, br, speed[1])) + nudge;
+            let end = (t + step).min(leave);
+            let lowest = along(from, direction, end)[2].min(along(from, direction, t)[2]);
+            if lowest > f64::from(greatest[shape.index(br, bc)]) {
+                t = end.max(t + nudge);
+                level = (level + 1).min(top);
+            } else if level > 0 {
+                level -= 1;
+            } else {
+                if let Some(hit) = self.refine(from, direction, t, end) {
+                    return Some(hit);
+                }
+                t = end.max(t + nudge);
+            }
+        }
+        None
+    }
+
+    /// The first crossing within a cell, by a few samples and bisection.
+    fn refine(&self, from: Vector, direction: Vector, start: f64, end: f64) -> Option<f64> {
+        const PARTS: usize = 3;
+        let above = |t: f64| {
+            let p = along(from, direction, t);
+            p[2] - self.height_at(p)
+        };
+        let mut a = start;
+        if above(a) <= 0.0 {
+            return Some(a);
+        }
+        for k in 1..=PARTS {
+            let b = start + (end - start) * k as f64 / PARTS as f64;
+            if above(b) <= 0.0 {
+                let mut b = b;
+                for _ in 0..10 {
+                    let middle = 0.5 * (a + b);
+                    if above(middle) > 0.0 { a = middle } else { b = middle }
+                }
+                return Some(b);
+            }
+            a = b;
+        }
+        None
+    }
+
+    fn skin_at(&self, p: Vector) -> Skin {
+        let (k, [u, v]) = self.corners(p);
+        let weights = [(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v];
+        let mut s = Skin { normal: [0.0; 3], colour: [0.0; 3], sky: 0.0, sun: 0.0, water: 0.0, roughness: 0.0 };
+        for (i, w) in k.into_iter().zip(weights) {
+            let o = &self.skin[i];
+            for n in 0..3 {
+                s.normal[n] += w * o.normal[n];
+                s.colour[n] += w * o.colour[n];
+            }
+            s.sky += w * o.sky;
+            s.sun += w * o.sun;
+            s.water += w * o.water;
+            s.roughness += w * o.roughness;
+        }
+        s.normal = normalize(s.normal);
+        s
+    }
+
+    /// The colour of a point of the surface, seen along a direction, from outside the block or from
+    /// near.
+    fn shade(&self, p: Vector, direction: Vector, near: Option<Near>) -> Rgb {
+        let mut skin = self.skin_at(p);
+        if let Some(Near { footprint, turned }) = near {
+            if skin.water < 0.3 * CLEAR {
+                self.roughen(&mut skin, p, footprint);
+            }
+            (0..2).for_each(|k| skin.normal[k] *= turned[k]);
+        }
+        let lit = |colour: Rgb, normal: Vector| {
+            let sun = dot(normal, self.sun).max(0.0) * skin.sun;
+            let sky = skin.sky * (0.5 + 0.5 * normal[2]);
+            // Light thrown back by the ground around, warm and weak.
+            let bounce = 0.10 * (1.0 - 0.5 * skin.sky) + 0.03;
+            [0, 1, 2].map(|k| colour[k] * (SUN_LIGHT[k] * sun + SKY_LIGHT[k] * sky + bounce * SUN_LIGHT[k]))
+        };
+        let ground = lit(skin.colour, skin.normal);
+        if skin.water <= 0.0 {
+            return ground;
+        }
+        let deep = lit(hex(DEEP), [0.0, 0.0, 1.0]);
+        let murk = 1.0 - 0.65 * math::exp(-skin.water / 3.0);
+        let below = blend(scale(ground, 0.7), deep, murk);
+        // Brooks and shores show the ground through.
+        blend(ground, self.mirror(below, direction), math::smoothstep(0.0, CLEAR, skin.water))
+    }
+
+    /// Gives ground a grain finer than its nodes, in waves that a pixel does not blur: tufts and
+    /// stones by colour, bumps by slope.
+    fn roughen(&self, skin: &mut Skin, p: Vector, footprint: f64) {
+        let cell = self.spacing[0].min(self.spacing[1]);
+        let normal = skin.normal;
+        let fall = [0, 1].map(|k| normal[k] / normal[2].max(0.2));
+        let (mut tone, mut bump) = (0.0, [0.0; 2]);
+        for (k, part) in [1.3, 0.45, 0.15, 0.05, 0.017].into_iter().enumerate() {
+            let wave = part * cell;
+            let seen = 1.0 - math::smoothstep(0.2, 0.6, footprint / wave);
+            if seen <= 0.0 {
+                break;
+            }
+            let at = |dx: f64, dy: f64| {
+                let moved = [p[0] + dx, p[1] + dy, p[2] - fall[0] * dx - fall[1] * dy];
+                grain(Seed(20 + k as u64), moved.map(|v| v / wave), normal)
+            };
+            let (here, step) = (at(0.0, 0.0), 0.15 * wave);
+            tone += seen * here;
+            bump[0] += seen * (at(step, 0.0) - here) / 0.15;
+            bump[1] += seen * (at(0.0, step) - here) / 0.15;
+        }
+        skin.colour = scale(skin.colour, 1.0 + 0.22 * skin.roughness * tone.clamp(-1.5, 1.5));
+        let bump = bump.map(|b| 0.07 * skin.roughness * b);
+        skin.normal = normalize([normal[0] - bump[0], normal[1] - bump[1], normal[2]]);
+    }
+
+    /// The cut side of the block: its beds, or plain rock under a little soil.
+    fn wall(&self, p: Vector) -> Rgb {
+        let on_x = p[0] <= 1e-6 * self.extent[0] || p[0] >= self.extent[0] * (1.0 - 1e-6);
+        let normal = if on_x {
+            [if p[0] > 0.5 * self.extent[0] { 1.0 } else { -1.0 }, 0.0, 0.0]
+        } else {
+            [0.0, if p[1] > 0.5 * self.extent[1] { 1.0 } else { -1.0 }, 0.0]
+        };
+        let scale_length = 0.02 * (self.extent[0] + self.extent[1]);
+        let along_wall = if on_x { p[1] } else { p[0] };
+        let under = (self.height_at(p) - p[2]) / scale_length;
+        let (k, [u, v]) = self.corners(p);
+        let (to, t) = if on_x { (k[2], v) } else { (k[1], u) };
+        let beds = cut(self.field, [k[0], to], t, p[2] / self.exaggeration);
+        let grain = fbm(Seed(11), along_wall / (0.5 * scale_length), p[2] / (0.5 * scale_length), 4, 2.1, 0.6);
+        let plain = || mix(hex(0x857a6e), hex(0x6d645b), 0.25 * under + 0.35 * grain);
+        let soil = |rock: Rgb| mix(hex(0x54463a), rock, math::smoothstep(0.02, 0.07, under));
+        let colour = beds.map_or_else(|| soil(plain()), |bed| scale(bed, 0.9 + 0.12 * grain));
+        let light = 0.25 + 0.75 * dot(normal, self.sun).max(0.0);
+        [0, 1, 2].map(|k| colour[k] * (0.6 * SUN_LIGHT[k] * light + 0.6 * SKY_LIGHT[k]))
+    }
+}
+
+/// Noise on a surface, seen along the axes that it faces: on steep ground it is not drawn out.
+fn grain(seed: Seed, p: Vector, normal: Vector) -> f64 {
+    let weights = normal.map(|n| (n * n - 0.1).max(0.0));
+    let planes = [(p[1], p[2]), (p[0], p[2]), (p[0], p[1])];
+    let sum = (0..3).filter(|&k| weights[k] > 0.0).map(|k| {
+        let (u, v) = planes[k];
+        weights[k] * gradient_noise(seed.with(k as u64), u, v)
+    });
+    sum.sum::<f64>() / weights.iter().map(|w| w * w).sum::<f64>().sqrt().max(1e-9)
+}
+
+/// Part of the border that lies below 0.
+fn wet_border(shape: Shape, z: &[f64]) -> f64 {
+    let Shape { rows, cols } = shape;
+    let sides = (0..cols).flat_map(|c| [(0, c), (rows - 1, c)]).chain((0..rows).flat_map(|r| [(r, 0), (r, cols - 1)]));
+    let (wet, all) = sides.fold((0, 0), |(wet, all), (r, c)| (wet + usize::from(z[shape.index(r, c)] < 0.0), all + 1));
+    wet as f64 / f64::from(all.max(1))
+}
+
+/// Upright on lakes; rivers lie along their beds.
+fn water_normal(grid: &Grid, surface: &[f64], i: usize) -> Vector {
+    let g = gradient(grid, surface, i);
+    // At a shore the slope is the land's, not the water's.
+    let slope = g.slope();
+    let most = if slope > 0.3 { 0.3 / slope } else { 1.0 };
+    normalize([-g.x * most, -g.y * most, 1.0])
+}
+
+/// Depth of lakes (if `inland`) and of the sea over each node, m. Sea is what lies below 0 in a
+/// land that also rises above it.
+fn water_depth(field: &HeightField, lo: f64, hi: f64, inland: bool) -> Vec<f64> {
+    let water = waters(field);
+    let has_sea = lo < 0.0 && hi > 0.0;
+    let z = field.elevation();
+    (0..z.len())
+        .map(|i| {
+            if has_sea && z[i] < 0.0 {
+                -z[i]
+            } else if inland {
+                water.lake[i]
+            } else {
+                0.0
+            }
+        })
+        .collect()
+}
