@@ -310,6 +310,11 @@ fn every_recipe_of_the_gallery_runs_to_the_same_land() {
             panic!("interrupted")
         };
         assert!(out.0.values().all(|bytes| !bytes.is_empty()), "{}", recipe.file);
+        // What stages say that they leave is what they leave.
+        let planned = parsed.plan(None, "").unwrap().fields;
+        let of_layers = |name: &String| name.ends_with("_depth") || name == "surface_material";
+        let unplanned: Vec<_> = terrain.names().into_iter().filter(|n| !planned.contains(n) && !of_layers(n)).collect();
+        assert!(unplanned.is_empty(), "{}: {unplanned:?} is left, and no stage says so", recipe.file);
         found.insert(recipe.name.to_string(), golden(&terrain));
     }
     if accept {

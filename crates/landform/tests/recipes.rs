@@ -266,3 +266,29 @@ fn absurd_sizes_are_refused_before_memory_is_taken() {
     let error = missing.plan(None, "").unwrap_err();
     assert!(error.to_string().contains("cannot read") && error.hint().is_some(), "{error}");
 }
+
+#[test]
+fn fields_that_no_stage_leaves_are_refused_before_the_run() {
+    let plan = |text: &str| {
+        let text = format!(
+            "[[stage]]\nuse = \"noise\"\ngrid = {{ size = [\"1 km\", \"1 km\"], cell_size = \"100 m\" }}\n{text}"
+        );
+        let recipe = Recipe::parse(&text, "test", std::path::Path::new("."), &[]).unwrap();
+        recipe.plan(None, "").map_err(|e| format!("{e} {}", e.hint().unwrap_or_default()))
+    };
+    let write = |field: &str| format!("[[stage]]\nuse = \"write_raster\"\nfield = \"{field}\"\npath = \"a.tif\"\n");
+    let drained = format!("[[stage]]\nuse = \"drainage\"\n{}", write("drainage_area"));
+    let chosen = format!("[[stage]]\nuse = \"mask\"\nname = \"beach\"\n{}", write("beach"));
+    for text in [write("elevation"), write("sand_depth"), write("surface_material"), drained.clone(), chosen] {
+        plan(&text).unwrap();
+    }
+    let error = plan(&write("drainage_area")).unwrap_err();
+    assert!(error.contains("field `drainage_area` is missing; `write_raster` needs it"), "{error}");
+    let error = plan(&drained.replace("drainage_area", "drainage_aera")).unwrap_err();
+    assert!(error.contains("stage 3") && error.contains("did you mean `drainage_area`"), "{error}");
+    // A value that a map of a field gives, and ground that is made anew.
+    let by_field = "[[stage]]\nuse = \"blend\"\namount = { field = \"beach\" }\n";
+    assert!(plan(by_field).unwrap_err().contains("field `beach` is missing"));
+    let anew = format!("[[stage]]\nuse = \"drainage\"\n[[stage]]\nuse = \"noise\"\n{}", write("basin"));
+    assert!(plan(&anew).unwrap_err().contains("field `basin` is missing"));
+}

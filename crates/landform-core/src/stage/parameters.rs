@@ -23,6 +23,7 @@ pub(super) struct Parameters {
     pub(super) value: Arc<dyn Any + Send + Sync>,
     pub(super) normal: Json,
     pub(super) outputs: Vec<String>,
+    pub(super) leaves: Vec<String>,
     pub(super) reach: Reach,
     pub(super) jitters: bool,
 }
@@ -30,8 +31,9 @@ pub(super) struct Parameters {
 impl Parameters {
     pub(super) fn new<P: Params>(params: P) -> Result<Self> {
         let normal = serde_json::to_value(&params).map_err(|e| Error::format("parameters", e))?;
-        let (outputs, reach, jitters) = (params.outputs(), params.reach(), params.jitters());
-        Ok(Self { value: Arc::new(params), normal, outputs, reach, jitters })
+        let (outputs, leaves) = (params.outputs(), params.leaves());
+        let (reach, jitters) = (params.reach(), params.jitters());
+        Ok(Self { value: Arc::new(params), normal, outputs, leaves, reach, jitters })
     }
 }
 

@@ -63,6 +63,11 @@ impl ReadStage {
         &self.parameters.outputs
     }
 
+    /// Fields that it leaves.
+    pub fn leaves(&self) -> impl Iterator<Item = &str> {
+        self.stage.writes.iter().copied().chain(self.parameters.leaves.iter().map(String::as_str))
+    }
+
     /// How far around a node the ground can affect the result there.
     pub fn reach(&self) -> Reach {
         self.parameters.reach

@@ -50,6 +50,11 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
         Vec::new()
     }
 
+    /// Fields that a stage leaves that is no process (those have `WRITES`).
+    fn leaves(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// How far around a node the ground can affect the result there.
     fn reach(&self) -> Reach {
         Reach::Whole

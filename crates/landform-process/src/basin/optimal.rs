@@ -71,6 +71,10 @@ impl Params for OptimalNetwork {
         },
     ];
 
+    fn leaves(&self) -> Vec<String> {
+        [names::DRAINAGE_AREA.name, names::RECEIVER.name].map(String::from).to_vec()
+    }
+
     fn check(&self) -> Result<()> {
         self.outlets.as_ref().map_or(Ok(()), Outlets::check)
     }

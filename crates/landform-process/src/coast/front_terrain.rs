@@ -88,6 +88,10 @@ impl Params for FrontTerrain {
     const RENAMED: &'static [(&'static str, &'static str)] = GridParams::RENAMED;
     const SOURCES: &'static [Source] = CoastErosion::SOURCES;
 
+    fn leaves(&self) -> Vec<String> {
+        vec![names::LEVEL_SET.name.into()]
+    }
+
     fn check(&self) -> Result<()> {
         CoastErosion { perimeter: self.perimeter, weakening: self.weakening, ..CoastErosion::default() }.check()
     }

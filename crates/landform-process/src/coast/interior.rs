@@ -66,6 +66,10 @@ impl Params for IslandInterior {
     const NAME: &'static str = "island_interior";
     const SOURCES: &'static [Source] = CoastErosion::SOURCES;
 
+    fn leaves(&self) -> Vec<String> {
+        vec![names::LEVEL_SET.name.into()]
+    }
+
     fn check(&self) -> Result<()> {
         CoastErosion { perimeter: self.perimeter, weakening: self.weakening, ..CoastErosion::default() }.check()
     }

@@ -77,8 +77,28 @@ impl Params for Derive {
         },
     ];
 
+    fn leaves(&self) -> Vec<String> {
+        self.fields.iter().map(|what| what.key().name.to_string()).collect()
+    }
+
     fn reach(&self) -> Reach {
         self.fields.iter().fold(Reach::Point, |reach, &what| reach.or(self.reach_of(what)))
+    }
+}
+
+impl Derived {
+    /// The key of its field.
+    fn key(self) -> &'static Key<f64> {
+        match self {
+            Self::Slope => &names::SLOPE,
+            Self::Aspect => &names::ASPECT,
+            Self::ProfileCurvature => &names::PROFILE_CURVATURE,
+            Self::PlanCurvature => &names::PLAN_CURVATURE,
+            Self::PositionIndex => &names::POSITION_INDEX,
+            Self::LocalRelief => &names::LOCAL_RELIEF,
+            Self::Exposure => &names::EXPOSURE,
+            Self::SpreadArea => &names::SPREAD_AREA,
+        }
     }
 }
 
@@ -94,26 +114,22 @@ impl Derive {
         }
     }
 
-    /// The key and the values of a field.
-    fn field(&self, what: Derived, terrain: &HeightField) -> Result<(&'static Key<f64>, Vec<f64>)> {
+    /// The values of a field.
+    fn field(&self, what: Derived, terrain: &HeightField) -> Vec<f64> {
         let (grid, z) = (terrain.grid(), terrain.elevation());
         let cell = grid.spacing[0].max(grid.spacing[1]);
         let radius = (self.radius.si() / cell).round().max(1.0) as usize;
-        Ok(match what {
-            Derived::Slope => (&names::SLOPE, slope(grid, z)),
-            Derived::Aspect => (&names::ASPECT, parallel::map(z.len(), |i| gradient(grid, z, i).aspect().to_degrees())),
-            Derived::ProfileCurvature => {
-                (&names::PROFILE_CURVATURE, parallel::map(z.len(), |i| quadratic(grid, z, i).profile_curvature()))
-            }
-            Derived::PlanCurvature => {
-                (&names::PLAN_CURVATURE, parallel::map(z.len(), |i| quadratic(grid, z, i).plan_curvature()))
-            }
-            Derived::PositionIndex => (&names::POSITION_INDEX, position_index(grid.shape, z, radius)),
-            Derived::LocalRelief => (&names::LOCAL_RELIEF, local_relief(grid.shape, z, radius)),
+        match what {
+            Derived::Slope => slope(grid, z),
+            Derived::Aspect => parallel::map(z.len(), |i| gradient(grid, z, i).aspect().to_degrees()),
+            Derived::ProfileCurvature => parallel::map(z.len(), |i| quadratic(grid, z, i).profile_curvature()),
+            Derived::PlanCurvature => parallel::map(z.len(), |i| quadratic(grid, z, i).plan_curvature()),
+            Derived::PositionIndex => position_index(grid.shape, z, radius),
+            Derived::LocalRelief => local_relief(grid.shape, z, radius),
             Derived::Exposure => {
                 let dark = shadow(grid, z, self.light_from.si(), self.altitude.si());
                 let value = |i: usize| if z[i].is_nan() { f64::NAN } else { f64::from(u8::from(!dark[i])) };
-                (&names::EXPOSURE, parallel::map(z.len(), value))
+                parallel::map(z.len(), value)
             }
             Derived::SpreadArea => {
                 let domain = terrain.domain();
@@ -121,9 +137,9 @@ impl Derive {
                 flow.route(&*domain, z, &mut area);
                 let mut area = node_areas(&*domain);
                 flow.accumulate_infinity(&domain, grid, z, &mut area);
-                (&names::SPREAD_AREA, area)
+                area
             }
-        })
+        }
     }
 }
 
@@ -133,8 +149,8 @@ impl Edit<HeightField> for Derive {
             return Err(Error::parameter("fields", "[]", "at least one field, for example [\"slope\"]"));
         }
         for &what in &self.fields {
-            let (key, values) = self.field(what, terrain)?;
-            terrain.fields.insert(key, values)?;
+            let values = self.field(what, terrain);
+            terrain.fields.insert(what.key(), values)?;
         }
         Ok(())
     }

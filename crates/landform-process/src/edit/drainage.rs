@@ -2,6 +2,7 @@
 
 use landform_core::Result;
 use landform_core::algo::flow::Flow;
+use landform_core::field::names;
 use landform_core::terrain::NodeSurface;
 use landform_core::verb::{Context, Edit, Params, Source};
 use schemars::JsonSchema;
@@ -22,6 +23,11 @@ impl Params for Drainage {
         title: "A versatile, linear complexity algorithm for flow routing in topographies with depressions, Earth Surface Dynamics 7",
         doi: "10.5194/esurf-7-549-2019",
     }];
+
+    fn leaves(&self) -> Vec<String> {
+        let keys = [names::DRAINAGE_AREA.name, names::LAKE_DEPTH.name, names::RECEIVER.name, names::BASIN.name];
+        keys.map(String::from).to_vec()
+    }
 }
 
 impl<T: NodeSurface> Edit<T> for Drainage {

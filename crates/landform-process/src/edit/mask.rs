@@ -59,6 +59,10 @@ impl Params for Mask {
     const NAME: &'static str = "mask";
     const SOURCES: &'static [Source] = &[];
 
+    fn leaves(&self) -> Vec<String> {
+        vec![self.name.clone()]
+    }
+
     fn reach(&self) -> Reach {
         let map = self.map.as_ref().map_or(Reach::Point, Varying::reach);
         let sides = if self.slope.is_some() || self.aspect.is_some() { Reach::Cells(1) } else { Reach::Point };

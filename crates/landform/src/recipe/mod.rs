@@ -23,6 +23,7 @@ mod checkpoint;
 mod clock;
 mod entry;
 mod evolve;
+mod fields;
 mod gallery;
 mod help;
 mod level;

@@ -8,6 +8,7 @@ use landform_core::{Error, Result};
 use super::Recipe;
 use super::cache::{Cache, input_paths, key};
 use super::entry::{Entry, Work};
+use super::fields::Known;
 
 /// A recipe's plan.
 #[derive(Clone, Debug)]
@@ -16,6 +17,8 @@ pub struct Plan {
     pub stages: Vec<PlannedStage>,
     /// Bytes at the greatest peak.
     pub bytes: u64,
+    /// Names that the last landscape may have, beside those of its layers.
+    pub fields: Vec<String>,
 }
 
 /// The plan of one stage.
@@ -59,8 +62,8 @@ impl Recipe {
     /// [`Error::Stage`] if it is known that a stage would fail.
     pub fn plan(&self, cache: Option<&Cache>, salt: &str) -> Result<Plan> {
         let mut stages: Vec<PlannedStage> = Vec::new();
-        let mut current = (Estimate::default(), self.surroundings(), None);
-        let mut labelled: std::collections::BTreeMap<String, (Estimate, String, Option<Kind>)> = Default::default();
+        let mut current = (Estimate::default(), self.surroundings(), None, Known::default());
+        let mut labelled = std::collections::BTreeMap::new();
         for (index, entry) in self.entries.iter().enumerate() {
             if let Some(from) = &entry.from
                 && let Some(known) = labelled.get(from)
@@ -70,6 +73,7 @@ impl Recipe {
             let fail = |source| Error::Stage { index: index + 1, name: entry.name.clone(), source: Box::new(source) };
             self.check_inputs(entry).map_err(fail)?;
             self.check_outputs(entry).map_err(fail)?;
+            current.3.pass(entry, &self.environment.materials).map_err(fail)?;
             let (environment, window) = (&*self.environment, self.window);
             let context = Context { seed: entry.seed, maps: &*self.maps, environment, window, ..Context::default() };
             current.0 = estimate(entry, current.2, current.0, &context).map_err(fail)?;
@@ -97,7 +101,7 @@ impl Recipe {
             });
         }
         let bytes = stages.iter().map(|s| s.bytes).max().unwrap_or(0);
-        Ok(Plan { stages, bytes })
+        Ok(Plan { stages, bytes, fields: current.3.names() })
     }
 
     /// What the files that were read say and nobody follows, and what was assumed of them, since

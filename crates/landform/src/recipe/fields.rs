@@ -1,0 +1,66 @@
+//! Which fields a landscape has after each stage of a recipe, as far as is known without a run.
+
+use std::collections::BTreeSet;
+
+use landform_core::field::names;
+use landform_core::stage::Verb;
+use landform_core::terrain::Materials;
+use landform_core::{Error, Result};
+use serde_json::Value as Json;
+
+use super::entry::Entry;
+
+/// Names that a landscape may have.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Known(BTreeSet<String>);
+
+impl Known {
+    /// The names, in order.
+    pub(super) fn names(&self) -> Vec<String> {
+        let elevation = [names::ELEVATION.name.to_string()];
+        self.0.iter().cloned().chain(elevation).collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// Refuses a stage that asks for a field that nothing before it leaves, and adds what it leaves.
+    ///
+    /// # Errors
+    /// [`Error::MissingField`] with the names that there may be.
+    pub(super) fn pass(&mut self, entry: &Entry, materials: &Materials) -> Result<()> {
+        if entry.work.verb() == Verb::Generate {
+            self.0.clear();
+        }
+        // Processes on one clock may read what the others leave.
+        let leaves: Vec<&str> = entry.work.parts().iter().flat_map(|part| part.leaves()).collect();
+        let is_process = entry.work.verb() == Verb::Process;
+        for part in entry.work.parts() {
+            for name in asked(part.parameters()) {
+                let is_left = self.0.contains(name) || is_process && leaves.contains(&name);
+                if !is_left && !always(name, materials) {
+                    let available = self.names();
+                    let needed_by = format!("`{}`", part.stage().name);
+                    return Err(Error::MissingField { name: name.into(), needed_by, available });
+                }
+            }
+        }
+        self.0.extend(leaves.into_iter().map(String::from));
+        Ok(())
+    }
+}
+
+/// Whether a landscape may have a name by what it is made of.
+fn always(name: &str, materials: &Materials) -> bool {
+    let is_layer = name.strip_suffix(names::DEPTH_SUFFIX).is_some_and(|layer| materials.find(layer).is_some());
+    is_layer || [names::ELEVATION.name, names::SURFACE_MATERIAL.name].contains(&name)
+}
+
+/// The names of fields in parameters: `field = "slope"`, there or in a table of them.
+fn asked(parameters: &Json) -> Vec<&str> {
+    match parameters {
+        Json::Object(table) => {
+            let own = table.get("field").and_then(Json::as_str);
+            own.into_iter().chain(table.values().flat_map(asked)).collect()
+        }
+        Json::Array(items) => items.iter().flat_map(asked).collect(),
+        _ => Vec::new(),
+    }
+}
