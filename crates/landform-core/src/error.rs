@@ -207,6 +207,14 @@ pub enum Error {
         /// What to do about it.
         hint: Option<String>,
     },
+    /// A value that was set beside a recipe is wrong; the recipe alone is not.
+    #[error("`--set {text}`: {source}")]
+    Override {
+        /// What was set, "uplift.rate=1 mm/yr".
+        text: String,
+        /// What is wrong with it.
+        source: Box<Error>,
+    },
     /// Several things are wrong.
     #[error("{}", all_of(.0))]
     Several(Vec<Error>),
@@ -345,7 +353,7 @@ impl Error {
     /// The remedy, where it is known.
     pub fn hint(&self) -> Option<String> {
         match self {
-            Self::Stage { source, .. } => source.hint(),
+            Self::Stage { source, .. } | Self::Override { source, .. } => source.hint(),
             Self::Recipe { hint, .. } | Self::Format { hint, .. } => hint.clone(),
             Self::MissingField { name, available, .. } => {
                 Some(match nearest(name, available.iter().map(String::as_str)) {

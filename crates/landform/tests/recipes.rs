@@ -292,3 +292,27 @@ fn fields_that_no_stage_leaves_are_refused_before_the_run() {
     let anew = format!("[[stage]]\nuse = \"drainage\"\n[[stage]]\nuse = \"noise\"\n{}", write("basin"));
     assert!(plan(&anew).unwrap_err().contains("field `basin` is missing"));
 }
+
+#[test]
+fn what_is_wrong_with_a_value_set_from_outside_is_said_of_it() {
+    let text = "[[stage]]\nuse = \"flat\"\nelevation = \"3 m\"\n";
+    let parse = |sets: &[&str]| {
+        let sets: Vec<_> = sets.iter().map(|s| landform::recipe::Override::parse(s).unwrap()).collect();
+        Recipe::parse(text, "test", std::path::Path::new("."), &sets)
+    };
+    parse(&["flat.elevation=4 m"]).unwrap();
+    for (sets, said) in [
+        (&["flat.elevation=high"][..], "`--set flat.elevation=high`: `flat`, `elevation`: `high` is not a length"),
+        (&["flat.elevation=4 m", "flat.elevaton=4 m"], "`--set flat.elevaton=4 m`: `flat` has no parameter"),
+        (&["noise.seed=1"], "`--set noise.seed=1`: `noise` is not in the recipe"),
+    ] {
+        let error = parse(sets).unwrap_err();
+        assert!(matches!(error, landform::core::Error::Override { .. }), "{error:?}");
+        assert!(error.to_string().starts_with(said), "{error}");
+    }
+    // A recipe that is wrong by itself is blamed for it.
+    let wrong = text.replace("3 m", "x");
+    let set = landform::recipe::Override::parse("seed=2").unwrap();
+    let error = Recipe::parse(&wrong, "test", std::path::Path::new("."), &[set]).unwrap_err();
+    assert!(matches!(error, landform::core::Error::Recipe { at: Some((3, _)), .. }), "{error:?}");
+}

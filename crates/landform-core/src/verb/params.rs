@@ -104,6 +104,12 @@ pub fn properties<P: JsonSchema>() -> Vec<(String, Value)> {
                 if !choices.is_empty() {
                     property["x-choices"] = choices.into();
                 }
+                // Those of what varies are the same everywhere, and told apart.
+                let varies = property.to_string().contains("x-varying");
+                let tables = if varies { Vec::new() } else { tables(&property, &definitions) };
+                if !tables.is_empty() {
+                    property["x-tables"] = tables.into();
+                }
                 (name, property)
             })
             .collect(),
@@ -125,6 +131,17 @@ fn choices(property: &Value, definitions: &Value) -> Vec<String> {
         found = choices(&property["items"], definitions);
     }
     found
+}
+
+/// The keys of each table that a parameter may be, or be a list of: "local, search".
+fn tables(property: &Value, definitions: &Value) -> Vec<String> {
+    if let Some(name) = property["$ref"].as_str().and_then(|r| r.strip_prefix("#/$defs/")) {
+        return tables(&definitions[name], definitions);
+    }
+    let keys = property["properties"].as_object().map(|keys| keys.keys().cloned().collect::<Vec<_>>().join(", "));
+    let forms = ["anyOf", "oneOf", "allOf"].iter().filter_map(|k| property[*k].as_array()).flatten();
+    let of_forms = forms.chain(property.get("items")).flat_map(|form| tables(form, definitions));
+    keys.into_iter().chain(of_forms).collect()
 }
 
 /// Checks values against the `x-min`, `x-max` and `x-above` of a schema's properties, tables within

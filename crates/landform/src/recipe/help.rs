@@ -93,10 +93,14 @@ fn find<'a>(property: &'a Json, key: &str) -> Option<&'a Json> {
 fn range(property: &Json, unit: &str) -> String {
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     let bound = |key: &str, word: &str| property[key].as_f64().map(|b| format!("{word} {b}{unit}"));
-    let words: Vec<&str> = property["x-choices"].as_array().into_iter().flatten().filter_map(Json::as_str).collect();
+    let texts = |key: &str| property[key].as_array().into_iter().flatten().filter_map(Json::as_str);
+    let words: Vec<&str> = texts("x-choices").collect();
     let choices = (!words.is_empty()).then(|| format!("one of {}", words.join(", ")));
+    let tables: Vec<String> = texts("x-tables").map(|keys| format!("{{ {keys} }}")).collect();
+    let or = if words.is_empty() { "" } else { "or " };
+    let tables = (!tables.is_empty()).then(|| format!("{or}a table {}", tables.join(" or ")));
     let bounds = [bound("x-above", ">"), bound("x-min", "at least"), bound("x-max", "at most")];
-    bounds.into_iter().chain([choices]).flatten().collect::<Vec<_>>().join(", ")
+    bounds.into_iter().chain([choices, tables]).flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// The purpose of a stage.

@@ -1,6 +1,7 @@
 //! From text to a recipe.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -82,6 +83,13 @@ impl Override {
     }
 }
 
+impl fmt::Display for Override {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let stage = if self.stage.is_empty() { String::new() } else { format!("{}.", self.stage) };
+        write!(f, "{stage}{}={}", self.path.join("."), self.value)
+    }
+}
+
 const TOP: [&str; 5] = ["seed", "title", "environment", "materials", "stage"];
 const MOST_STAGES: usize = 1_000;
 
@@ -108,6 +116,21 @@ impl Recipe {
     /// [`Error::Recipe`] if a part of the text is wrong, with line and column, the expected value
     /// and the nearest name; [`Error::Several`] if several parts are.
     pub fn parse(text: &str, title: &str, folder: &Path, overrides: &[Override]) -> Result<Self> {
+        let read = |overrides: &[Override]| Self::parse_with(text, title, folder, overrides);
+        let failed = match read(overrides) {
+            Err(error) if !overrides.is_empty() && read(&[]).is_ok() => error,
+            other => return other,
+        };
+        // What is wrong stands in no line of the recipe.
+        let blame = |set: &Override| {
+            let source = read(std::slice::from_ref(set)).err()?;
+            Some(Error::Override { text: set.to_string(), source: Box::new(source) })
+        };
+        let all: Vec<Error> = overrides.iter().filter_map(blame).collect();
+        Err(if all.is_empty() { failed } else { Error::several(all) })
+    }
+
+    fn parse_with(text: &str, title: &str, folder: &Path, overrides: &[Override]) -> Result<Self> {
         let mut root = Node::parse(text)?;
         let reader = EntryReader { text, notes: Default::default() };
         for o in overrides {
@@ -224,7 +247,7 @@ fn apply(root: &mut Node, o: &Override) -> Result<()> {
     if o.stage.is_empty() {
         if !["seed", "title"].contains(&path[0]) {
             let hint = Some("write --set STAGE.key=value".into());
-            return Err(Error::Recipe { at: None, what: format!("`--set {}`: which stage?", o.path[0]), hint });
+            return Err(Error::Recipe { at: None, what: format!("of which stage is `{}`?", o.path[0]), hint });
         }
         root.set(&path, value);
         return Ok(());
@@ -256,14 +279,14 @@ fn apply(root: &mut Node, o: &Override) -> Result<()> {
         return Ok(());
     }
     if names.contains(&o.stage) {
-        let what = format!("`--set`: `{}` has no place for `{}`", o.stage, o.path.join("."));
+        let what = format!("`{}` has no place for `{}`", o.stage, o.path.join("."));
         let hint = Some("a process within `evolve` is set by its own name, as in uplift.rate=...".into());
         return Err(Error::Recipe { at: None, what, hint });
     }
     let hint = nearest(&o.stage, names.iter().map(String::as_str)).map(|n| format!("did you mean `{n}`?"));
     let known = stage(&o.stage).is_some();
     let what = if known { "is not in the recipe" } else { "is neither a stage nor a label of the recipe" };
-    Err(Error::Recipe { at: None, what: format!("`--set`: `{}` {what}", o.stage), hint })
+    Err(Error::Recipe { at: None, what: format!("`{}` {what}", o.stage), hint })
 }
 
 fn set_if_named(node: &mut Node, wanted: &str, path: &[&str], value: &Node, names: &mut Vec<String>) -> bool {

@@ -106,7 +106,9 @@ pub fn perspective(field: &HeightField, view: &View) -> Picture {
             let colour = tone(scene.trace(camera.at, camera.ray(x / shape.cols as f64, y / shape.rows as f64), angle));
             sum = [0, 1, 2].map(|k| sum[k] + colour[k]);
         }
-        to_srgb(scale(sum, 1.0 / (samples * samples) as f64))
+        // A wide sky would show the steps of eight bits.
+        let dither = if view.standpoint.is_some() { 0.012 * (Seed(i as u64).uniform(2) - 0.5) } else { 0.0 };
+        to_srgb(scale(sum, (1.0 + dither) / (samples * samples) as f64))
     });
     Picture { shape, pixels }
 }

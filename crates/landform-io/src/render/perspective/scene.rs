@@ -441,8 +441,8 @@ impl<'a> Scene<'a> {
             bump[0] += seen * (at(step, 0.0) - here) / 0.15;
             bump[1] += seen * (at(0.0, step) - here) / 0.15;
         }
-        skin.colour = scale(skin.colour, 1.0 + 0.22 * skin.roughness * tone.clamp(-1.5, 1.5));
-        let bump = bump.map(|b| 0.07 * skin.roughness * b);
+        skin.colour = scale(skin.colour, 1.0 + 0.17 * skin.roughness * tone.clamp(-1.5, 1.5));
+        let bump = bump.map(|b| 0.045 * skin.roughness * b);
         skin.normal = normalize([normal[0] - bump[0], normal[1] - bump[1], normal[2]]);
     }
 
