@@ -228,7 +228,7 @@ fn recipes_with_wrong_sets_say_which() {
         ("flat", "not understood"),
         ("=3", "not understood"),
         ("flat..x=3", "not understood"),
-        ("cell_size=3", "which stage?"),
+        ("cell_size=3", "of which stage is `cell_size`?"),
         ("uplift.rate=3", "`uplift` is not in the recipe"),
         ("plinth.rate=3", "neither a stage nor a label"),
         ("flat.cell_size=\"5 yr\"", "wrong dimension"),
