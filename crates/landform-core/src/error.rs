@@ -259,11 +259,13 @@ impl Range {
     /// let part = Range { above: Some(0.0), most: Some(1.0), ..Range::default() };
     /// assert!(part.contains(1.0) && !part.contains(0.0));
     /// assert_eq!(part.to_string(), "> 0 and at most 1");
+    /// assert!(Range { least: Some(-60.0), most: Some(-5.0), ..Range::default() }.contains(-60.0));
     /// ```
     pub fn contains(&self, number: f64) -> bool {
+        let slack = |b: f64| 1e-9 * b.abs();
         self.above.is_none_or(|b| number > b)
-            && self.least.is_none_or(|b| number >= b * (1.0 - 1e-9))
-            && self.most.is_none_or(|b| number <= b * (1.0 + 1e-9))
+            && self.least.is_none_or(|b| number >= b - slack(b))
+            && self.most.is_none_or(|b| number <= b + slack(b))
     }
 }
 

@@ -474,6 +474,20 @@ fn a_grid_is_known_without_the_samples() {
     assert_eq!(read_grid(&path).unwrap().unwrap(), *read_raster(&path).unwrap().field.grid());
     let path = save(&folder, "g.png", &field(utm(), false));
     assert!(read_grid(&path).unwrap().is_none(), "pictures are read to be known");
+    // Files that are cut off are found out, where their headers say how much there should be.
+    for name in ["a.tif", "d.npy"] {
+        let bytes = std::fs::read(folder.0.join(name)).unwrap();
+        let cut = folder.put(&format!("cut-{name}"), &bytes[..bytes.len() - 40]);
+        let error = read_grid(&cut).err().or_else(|| read_raster(&cut).err());
+        assert!(error.is_some(), "{name}");
+    }
+    let cut = &npy("<f4", "(3, 4)", &[0; 47]);
+    assert!(read_grid(&folder.put("j.npy", cut)).unwrap_err().to_string().contains("truncated"));
+    let mut tiff = Tiff::new(16, 1, 1, vec![tens()]).bytes();
+    // The tags lie behind the strip: the strip is said to begin where nothing is.
+    let at = tiff.windows(4).position(|w| w == [17, 1, 4, 0]).unwrap() + 8;
+    tiff[at..at + 4].copy_from_slice(&90_000_u32.to_le_bytes());
+    assert!(read_grid(&folder.put("k.tif", tiff)).unwrap_err().to_string().contains("truncated"));
     // A header alone is enough, and one that lies is found out.
     let path = folder.put("h.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 x\n");
     assert!(read_grid(&path).is_ok() && read_raster(&path).is_err());

@@ -139,6 +139,7 @@ impl WritePicture {
         let raster = terrain.rasterized()?;
         if [ViewKind::Perspective, ViewKind::Landscape].contains(&self.view) {
             let view = View::default();
+            self.check_standpoint(raster.grid().extent())?;
             let standpoint = Standpoint {
                 at: self.standpoint.map(|place| place.map(Length::si)),
                 height: self.eye_height.map(Length::si),
@@ -179,6 +180,15 @@ impl WritePicture {
 }
 
 impl WritePicture {
+    fn check_standpoint(&self, [width, height]: [f64; 2]) -> Result<()> {
+        let Some(place) = self.standpoint.map(|place| place.map(Length::si)) else { return Ok(()) };
+        if (0.0..=width).contains(&place[0]) && (0.0..=height).contains(&place[1]) {
+            return Ok(());
+        }
+        let value = format!("[{} m, {} m]", place[0], place[1]);
+        Err(Error::parameter("standpoint", value, &format!("a place on the map, which is {width} x {height} m")))
+    }
+
     fn spectrum(&self, raster: &HeightField) -> Result<Picture> {
         let Some((_, density)) = density(raster.grid(), raster.elevation(), true) else {
             let value = format!("a raster of {}", raster.grid().shape);

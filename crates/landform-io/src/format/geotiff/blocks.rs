@@ -68,6 +68,14 @@ impl<'a> Blocks<'a> {
         Err(Error::format(NAME, what))
     }
 
+    /// Refuses a file that ends before a block of its first band begins.
+    ///
+    /// # Errors
+    /// [`Error::Format`].
+    pub(super) fn check_whole(&self) -> Result<()> {
+        (0..self.plane()).try_for_each(|k| self.packed(k).map(drop))
+    }
+
     fn across(&self) -> usize {
         self.shape.cols.div_ceil(self.size[1])
     }

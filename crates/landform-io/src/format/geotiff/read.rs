@@ -51,7 +51,7 @@ pub(in crate::format) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Store
 pub(in crate::format) fn read_header(bytes: &[u8]) -> Result<Stored> {
     let mut tiff = open(bytes)?;
     let (shape, said) = header(&mut tiff, bytes)?;
-    Blocks::of(&mut tiff, bytes, shape)?;
+    Blocks::of(&mut tiff, bytes, shape)?.check_whole()?;
     Ok(Stored { said, ..Stored::bare(shape, Vec::new()) })
 }
 

@@ -34,7 +34,13 @@ pub(super) fn read(bytes: &[u8], _: Option<&Sidecar>) -> Result<Stored> {
 
 /// As [`read`], without the numbers.
 pub(super) fn read_header(bytes: &[u8]) -> Result<Stored> {
-    Ok(Stored::bare(shape(&Header::read(bytes)?, bytes)?, Vec::new()))
+    let header = Header::read(bytes)?;
+    let shape = shape(&header, bytes)?;
+    let width = header.kind.as_ref().and_then(|kind| kind.get(kind.len().checked_sub(1)?..)?.parse().ok());
+    if bytes.len().saturating_sub(header.start) < shape.len().saturating_mul(width.unwrap_or(1)) {
+        return Err(Error::format(NAME, "it is truncated"));
+    }
+    Ok(Stored::bare(shape, Vec::new()))
 }
 
 /// Rows and columns that a file of this length may have.
