@@ -335,6 +335,14 @@ impl Error {
     }
 
     /// Several errors as one; the only one as itself.
+    ///
+    /// ```
+    /// use landform_core::Error;
+    ///
+    /// let seed = || Error::parameter("seed", -1, "at least 0");
+    /// assert_eq!(Error::several(vec![seed()]).parameter_name(), Some("seed"));
+    /// assert_eq!(Error::several(vec![seed(), seed()]).to_string().lines().count(), 2);
+    /// ```
     pub fn several(errors: Vec<Self>) -> Self {
         match <[Self; 1]>::try_from(errors) {
             Ok([only]) => only,

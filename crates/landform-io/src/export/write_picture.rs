@@ -38,11 +38,11 @@ pub struct WritePicture {
     /// before a block, and in the land one that shows the skyline.
     #[schemars(extend("x-min" = -60.0, "x-max" = 89.0))]
     pub tilt: Option<Angle>,
-    /// Landscape only: place of the eye, [x, y] from the south-west corner of the map. If not given,
-    /// it is one with a wide view, on the side from which one looks.
+    /// Landscape only: place of the eye, [x, y] from the south-west corner of the map. If not
+    /// given, it is one with a wide view, on the side from which one looks.
     pub standpoint: Option<[Length; 2]>,
-    /// Landscape only: height of the eye over the ground. If not given, it is 3 % of the relief, and
-    /// at least 2 m.
+    /// Landscape only: height of the eye over the ground. If not given, it is 3 % of the relief,
+    /// and at least 2 m.
     #[schemars(extend("x-above" = 0.0))]
     pub eye_height: Option<Length>,
     /// Perspective and landscape: compass direction of the sun.

@@ -199,11 +199,7 @@ impl Process<HeightField> for CoastErosion {
         };
         state.material = (0..n).map(|i| state.fresh(i)).collect();
         if matches!(self.until, Until::Stable(_)) && state.wear.max() > 0.0 {
-            return Err(Error::parameter(
-                "until",
-                "\"stable\" with `wear`",
-                "{ land = 0.6 }: a coast that wears never rests",
-            ));
+            return Err(params::never_rests());
         }
         let front = self.front(terrain, state.land.clone(), state.material.clone(), None)?;
         if front.is_done() {

@@ -214,7 +214,13 @@ impl Params for CoastErosion {
             Until::Land { land } if !(0.0..1.0).contains(&land) => {
                 Err(Error::parameter("until", format!("land = {land}"), "a part from 0 to below 1"))
             }
+            Until::Stable(_) if matches!(&self.wear, Varying::Uniform(wear) if wear.si() > 0.0) => Err(never_rests()),
             _ => Ok(()),
         }
     }
+}
+
+/// That a coast cannot rest whose sites all fall in time.
+pub(super) fn never_rests() -> Error {
+    Error::parameter("until", "\"stable\" with `wear`", "{ land = 0.6 }: a coast that wears never rests")
 }

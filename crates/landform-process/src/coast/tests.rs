@@ -280,6 +280,10 @@ fn toml_like(text: &str) -> CoastErosion {
 #[test]
 fn wear_without_an_end_is_refused() {
     let params = CoastErosion { wear: number(1.0), ..CoastErosion::default() };
+    assert!(Simulation::new(ground(20, 20, 1.0, false)).process(params).err().unwrap().to_string().contains("until"));
+    // How much a map gives is known when it is read.
+    let wear = serde_json::from_str(r#"{"formula":"u","unit":"1"}"#).unwrap();
+    let params = CoastErosion { wear, ..CoastErosion::default() };
     let mut simulation =
         Simulation::new(ground(20, 20, 1.0, false)).process(params).unwrap().dt(1.0).until(Stop::steps(5));
     assert!(simulation.run().unwrap_err().to_string().contains("until"));

@@ -21,7 +21,8 @@ impl Known {
         self.0.iter().cloned().chain(elevation).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// Refuses a stage that asks for a field that nothing before it leaves, and adds what it leaves.
+    /// Refuses a stage that asks for a field that nothing before it leaves, and adds what it
+    /// leaves.
     ///
     /// # Errors
     /// [`Error::MissingField`] with the names that there may be.

@@ -75,7 +75,7 @@ impl Camera {
             Some(place) => eye(place),
             None => {
                 let places = candidates(scene, view.from);
-                let value = |at: &Vector| View::value_of(scene, view, *at);
+                let value = |at: &Vector| Self::value_of(scene, view, *at);
                 let all = places.into_iter().map(eye).map(|at| (value(&at), at));
                 all.reduce(|a, b| if b.0 > a.0 { b } else { a }).map_or([0.0; 3], |best| best.1)
             }
@@ -122,26 +122,11 @@ impl Camera {
         let middle = (mean - 0.30 * self.half_height).max(highest - 0.80 * self.half_height);
         -math::atan(middle).clamp(-0.5, 0.6)
     }
-}
 
-/// Part of the width within which ground is too near to be looked at.
-const NEAR: f64 = 0.012;
-
-/// Places on the side from which one looks.
-fn candidates(scene: &Scene, from: f64) -> Vec<[f64; 2]> {
-    const SIDE: usize = 14;
-    let [w, h] = scene.extent;
-    let back = [math::sin(from), math::cos(from)];
-    let place = |k: usize| [(k % SIDE) as f64, (k / SIDE) as f64].map(|v| (v + 0.5) / SIDE as f64);
-    let behind = |p: &[f64; 2]| (p[0] - 0.5) * back[0] + (p[1] - 0.5) * back[1] > 0.08;
-    (0..SIDE * SIDE).map(place).filter(behind).map(|[u, v]| [u * w, v * h]).collect()
-}
-
-impl View {
     /// How well a place shows the land: much of it, near and far, under a lively skyline.
     fn value_of(scene: &Scene, view: &View, at: Vector) -> f64 {
-        let camera = Camera::level(view, at, 0.0);
-        let tilted = Camera::level(view, at, camera.tilt_for_skyline(scene));
+        let camera = Self::level(view, at, 0.0);
+        let tilted = Self::level(view, at, camera.tilt_for_skyline(scene));
         const ROWS: usize = 12;
         let (mut value, mut near, mut beyond) = (0.0, 0.0, 0.0);
         for k in 0..ROWS * 2 * ROWS {
@@ -162,4 +147,17 @@ impl View {
         let all = (2 * ROWS * ROWS) as f64;
         (value - 2.0 * near - beyond) / all + 2.0 * uneven.min(0.15)
     }
+}
+
+/// Part of the width within which ground is too near to be looked at.
+const NEAR: f64 = 0.012;
+
+/// Places on the side from which one looks.
+fn candidates(scene: &Scene, from: f64) -> Vec<[f64; 2]> {
+    const SIDE: usize = 14;
+    let [w, h] = scene.extent;
+    let back = [math::sin(from), math::cos(from)];
+    let place = |k: usize| [(k % SIDE) as f64, (k / SIDE) as f64].map(|v| (v + 0.5) / SIDE as f64);
+    let behind = |p: &[f64; 2]| (p[0] - 0.5) * back[0] + (p[1] - 0.5) * back[1] > 0.08;
+    (0..SIDE * SIDE).map(place).filter(behind).map(|[u, v]| [u * w, v * h]).collect()
 }

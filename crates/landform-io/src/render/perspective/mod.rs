@@ -57,6 +57,19 @@ pub struct View {
 }
 
 /// A standpoint in the land.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::HeightField;
+/// use landform_io::render::{Standpoint, View, perspective};
+///
+/// let hills = (0..400).map(|i| f64::from(i * 7 % 40)).collect();
+/// let land = HeightField::new(Grid::new(Shape::new(20, 20), [50.0, 50.0])?, hills)?;
+/// let eye = Standpoint { height: Some(30.0), ..Standpoint::default() };
+/// let view = View { width: 64, height: 36, standpoint: Some(eye), ..View::default() };
+/// assert_eq!(perspective(&land, &view).pixels.len(), 64 * 36);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Standpoint {
     /// Place, m from the south-west corner; none for one with a wide view.
