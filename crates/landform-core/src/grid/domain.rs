@@ -72,11 +72,17 @@ pub trait Domain: Neighbours + Clone + Send + 'static {
         self.link(node, slot).distance
     }
 
-    /// One over the distance to the neighbour in a slot, 1/m, to the bit that slopes are compared
-    /// with.
+    /// One over the distance to the neighbour in a slot, 1/m.
     #[inline]
     fn inverse_distance(&self, node: usize, slot: u8) -> f64 {
         1.0 / self.distance(node, slot)
+    }
+
+    /// What a drop to the neighbour in a slot is multiplied by where slopes are compared, 1/m: one
+    /// over the distance, but where links of one kind would be chosen too often.
+    #[inline]
+    fn steepness(&self, node: usize, slot: u8) -> f64 {
+        self.inverse_distance(node, slot)
     }
 
     /// The slot in which the neighbour holds the link back.
@@ -178,7 +184,7 @@ pub(super) fn steepest_link(domain: &impl Domain, elevation: &[f64], node: usize
     let mut best = (0.0, None);
     for link in domain.neighbours(node) {
         // As the kernels do: ties are decided by the last digit.
-        let slope = (z - elevation[link.to]) * domain.inverse_distance(node, link.slot);
+        let slope = (z - elevation[link.to]) * domain.steepness(node, link.slot);
         if slope > best.0 {
             best = (slope, Some(link));
         }

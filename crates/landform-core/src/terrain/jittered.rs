@@ -2,25 +2,47 @@
 
 use super::{HeightField, Interpolation, NodeSurface, sample_by};
 use crate::field::names;
-use crate::grid::{Domain, Grid, Jitter, Status};
+use crate::grid::{Domain, Grid, Jitter, RasterDomain, Status};
 use crate::parallel;
 use crate::random::Seed;
 
 impl HeightField {
+    /// The grid with its nodes off the centres; none if they are already, or the raster is too
+    /// narrow.
+    fn grid_off_centres(&self, seed: Seed) -> Option<Grid> {
+        let regular = self.grid();
+        let is_fit = regular.jitter.is_none() && regular.shape.rows >= 3 && regular.shape.cols >= 3;
+        is_fit.then(|| Grid { jitter: Some(Jitter { seed }), ..regular.clone() })
+    }
+
+    /// The graph of the nodes at places off the centres of their cells, for what runs over the
+    /// ground without moving its nodes. None if they stand there already, or the raster has fewer
+    /// than three rows or columns.
+    pub fn domain_off_centres(&self, seed: Seed) -> Option<RasterDomain> {
+        let grid = self.grid_off_centres(seed)?;
+        let valid: Vec<bool> = (0..grid.len()).map(|i| self.is_valid(i)).collect();
+        let mut domain = RasterDomain::new(&grid, &valid);
+        domain.set_status(self.domain().status().to_vec());
+        Some(domain)
+    }
+
+    /// Elevations (m) at the places of [`Self::domain_off_centres`], by smooth curves through the
+    /// nodes; those of base levels, nodata and sides stay. **Cost** O(n).
+    pub fn elevation_off_centres(&self, seed: Seed) -> Vec<f64> {
+        let (domain, regular, old) = (self.domain(), self.grid(), self.elevation());
+        let Some(grid) = self.grid_off_centres(seed) else { return old.to_vec() };
+        let stays = |i: usize| domain.status()[i] != Status::Interior;
+        parallel::map(old.len(), |i| {
+            let there = if stays(i) { old[i] } else { sample_by(Interpolation::Cubic, regular, old, grid.position(i)) };
+            if there.is_nan() { old[i] } else { there }
+        })
+    }
+
     /// Elevations at the jittered places, by smooth curves through the nodes. Base levels, nodata
     /// and sides stay as they are, and so do fields and the depths of layers. **Cost** O(n).
     pub(super) fn off_centres(&self, seed: Seed) -> Option<Self> {
-        let regular = self.grid();
-        if regular.jitter.is_some() || regular.shape.rows < 3 || regular.shape.cols < 3 {
-            return None;
-        }
-        let grid = Grid { jitter: Some(Jitter { seed }), ..regular.clone() };
-        let (domain, old) = (self.domain(), self.elevation());
-        let stays = |i: usize| domain.status()[i] != Status::Interior;
-        let new = parallel::map(old.len(), |i| {
-            let there = if stays(i) { old[i] } else { sample_by(Interpolation::Cubic, regular, old, grid.position(i)) };
-            if there.is_nan() { old[i] } else { there }
-        });
+        let grid = self.grid_off_centres(seed)?;
+        let new = self.elevation_off_centres(seed);
         let mut field = self.clone();
         field.set_grid(grid).ok()?;
         field.parts_mut().0.copy_from_slice(&new);

@@ -38,10 +38,12 @@ mod tests;
 mod ways;
 mod wear;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use landform_core::field::names;
 use landform_core::grid::{Domain, Grid, RasterDomain, Side, Status};
+use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
 use landform_core::units::{Length, YEAR};
 use landform_core::verb::{Change, Context, OwnClock, Process, Resolved, Step};
@@ -80,6 +82,9 @@ pub struct State {
     beyond: Option<f64>,
     /// Sediment that is carried; none if all of it leaves the map.
     sediment: Option<Sediment>,
+    /// By which seed the places where water runs lie off the centres of the cells; none if it runs
+    /// over the centres.
+    off_centres: Option<Seed>,
     #[serde(skip)]
     scratch: Scratch,
 }
@@ -87,6 +92,8 @@ pub struct State {
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     domain: Option<Arc<RasterDomain>>,
+    /// The graph that water runs over, if it is another.
+    off_centres: Option<Arc<RasterDomain>>,
     banks: Vec<Bank>,
 }
 
@@ -141,19 +148,23 @@ impl Process<HeightField> for ChannelErosion {
             sinks,
             softness,
             sediment: Sediment::of(self, terrain.grid()),
+            off_centres: self.runs_off_centres().then(|| context.seed.named("lattice")),
             scratch: Scratch::default(),
         })
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
-        let State { water, rate, sinks, softness, bottom, beyond, sediment, scratch } = state;
+        let State { water, rate, sinks, softness, bottom, beyond, sediment, off_centres, scratch } = state;
         let domain = scratch.domain.get_or_insert_with(|| terrain.domain()).clone();
         let carried_before = sediment.as_ref().map_or(0.0, Sediment::under_way);
-        let ledger = water.round(self, &domain, terrain.elevation(), (rate, sinks, at.dt));
+        let bed = Bed::of(terrain, *off_centres, &domain, &mut scratch.off_centres);
+        let ledger = water.round(self, &bed.domain, &bed.z, (rate, sinks, at.dt));
         debug_assert!(ledger.imbalance() < 1e-9, "{ledger:?}");
         let river = self.river(terrain.grid());
         let stands = |d: f64| if self.transport != Transport::Pipes && d > FILM { d } else { 0.0 };
-        let still = parallel::map(rate.len(), |i| stands(water.depth[i]));
+        // Lakes are level: over the centre of a cell they are as much deeper as it is lower.
+        let over = |i: usize| water.depth[i] + (bed.z[i] - terrain.elevation()[i]);
+        let still = parallel::map(rate.len(), |i| if stands(water.depth[i]) > 0.0 { stands(over(i)) } else { 0.0 });
         banks(terrain.grid(), terrain.elevation(), &water.flow, &still, &river, &mut scratch.banks);
         let (weights, area) = (self.weights(), terrain.grid().cell_area());
         let ground = Ground {
@@ -171,7 +182,7 @@ impl Process<HeightField> for ChannelErosion {
         let mut new = eroded_bed(&ground, &weights);
         let exported = sediment
             .as_mut()
-            .and_then(|s| Some((s, water.ways((&domain, ground.z), sinks)?)))
+            .and_then(|s| Some((s, water.ways((&bed.domain, &bed.z), sinks)?)))
             .map(|(s, ways)| s.carry(&ground, &*ways, sinks, &mut new) * area);
         // Lakes keep their surface over the ground that was cut under them.
         let surface = parallel::map(rate.len(), |i| if still[i] > 0.0 { ground.z[i] + still[i] } else { f64::NAN });
@@ -202,6 +213,31 @@ impl Process<HeightField> for ChannelErosion {
             carried,
             raised,
         })
+    }
+}
+
+/// The ground that water runs over.
+struct Bed<'a> {
+    domain: Arc<RasterDomain>,
+    z: Cow<'a, [f64]>,
+}
+
+impl<'a> Bed<'a> {
+    /// Off the centres by a seed, or the ground itself; `kept` is the graph of the last round.
+    fn of(
+        terrain: &'a HeightField,
+        seed: Option<Seed>,
+        domain: &Arc<RasterDomain>,
+        kept: &mut Option<Arc<RasterDomain>>,
+    ) -> Self {
+        let mut make = |seed: Seed| kept.take().or_else(|| terrain.domain_off_centres(seed).map(Arc::new));
+        match seed.and_then(|seed| Some((seed, make(seed)?))) {
+            Some((seed, off)) => {
+                *kept = Some(off.clone());
+                Self { domain: off, z: Cow::Owned(terrain.elevation_off_centres(seed)) }
+            }
+            None => Self { domain: domain.clone(), z: Cow::Borrowed(terrain.elevation()) },
+        }
     }
 }
 
@@ -271,7 +307,7 @@ impl ChannelErosion {
                 return water.depth[i];
             }
             // A river that crosses a shallow lake is as deep there as elsewhere.
-            let lake = if surface[i].is_nan() { water.depth[i] } else { (surface[i] - z[i]).max(0.0) };
+            let lake = if surface[i].is_nan() { 0.0 } else { (surface[i] - z[i]).max(0.0) };
             let bank = &scratch.banks[i];
             let beside = (bank.stage - z[i]).clamp(0.0, bank.depth);
             lake.max(beside).max(river.depth(water.flow[i]))

@@ -7,17 +7,19 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::mechanism::Lattice;
+
 /// How water finds its way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Transport {
-    /// To the lowest neighbour first, until it is level with the next: concentrates water in
-    /// channels.
+    /// To the neighbour down the steepest slope first, until it is level with the next:
+    /// concentrates water in channels.
     #[default]
     Columns,
-    /// To all lower neighbours in equal shares: spreads water.
+    /// To all lower neighbours, the nearer ones more, whatever the slope: spreads water.
     Average,
-    /// To all lower neighbours, in proportion to how much lower they are.
+    /// To all lower neighbours, in proportion to the slopes to them.
     WeightedAverage,
     /// In time steps, driven by differences of level: a flood with momentum.
     Pipes,
@@ -66,6 +68,9 @@ pub struct ChannelErosion {
     /// How water is routed: "columns", "average", "weighted_average", "pipes", or "area_map" (no
     /// water, depressions full).
     pub transport: Transport,
+    /// Where water runs: over places off the centres of the cells, or over the centres, where it
+    /// keeps to eight directions. In pipes it always runs over the centres.
+    pub lattice: Lattice,
     /// Rain that runs off; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Varying<RateDimension>,
@@ -146,6 +151,7 @@ impl Default for ChannelErosion {
     fn default() -> Self {
         Self {
             transport: Transport::Columns,
+            lattice: Lattice::Jittered,
             rainfall: Rate::of(1000.0).into(),
             springs: Vec::new(),
             inflow: Vec::new(),
@@ -186,6 +192,11 @@ impl ChannelErosion {
             Some((name, _)) => Err(Error::Incomplete { name: name.into(), needs: "transport = \"pipes\"" }),
             None => Ok(()),
         }
+    }
+
+    /// Whether water runs over places off the centres of the cells.
+    pub(super) fn runs_off_centres(&self) -> bool {
+        self.lattice == Lattice::Jittered && self.transport != Transport::Pipes
     }
 
     /// Rain of the flood that erodes, m/s.

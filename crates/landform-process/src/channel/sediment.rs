@@ -25,7 +25,7 @@
 //! Soc. America 59. Here that slope is the parameter, so that a weight of erosion changes how fast,
 //! not what, forms.
 
-use landform_core::grid::{Domain, Grid, Status};
+use landform_core::grid::{Domain, Grid, Neighbours, Status};
 use landform_core::units::Length;
 use landform_core::{math, parallel};
 use serde::{Deserialize, Serialize};
@@ -95,7 +95,7 @@ impl Sediment {
                 None => {
                     let flow = g.banks[i].lateral_flow + g.flow[i];
                     (
-                        whole * flow * slope_downstream(g, ways, &downstream, i) / self.graded,
+                        whole * flow * slope_downstream(ways, &downstream, i) / self.graded,
                         above + RISE * self.graded.min(STEEP) * cell,
                     )
                 }
@@ -112,7 +112,7 @@ impl Sediment {
             let on = came - change;
             if lake.is_none() && too_much > 0.0 {
                 // Overloaded rivers braid.
-                downstream.set_weights(Rule::Weighted, ways.height(i), g.flow[i]);
+                downstream.set_weights(Rule::Weighted, g.flow[i]);
             }
             if downstream.is_empty() {
                 match lake {
@@ -137,12 +137,9 @@ fn shed(g: &Ground, new: &[f64]) -> f64 {
 }
 
 /// Slope along the paths downstream.
-fn slope_downstream(g: &Ground, ways: &dyn SedimentRouting, downstream: &FlowPartition, i: usize) -> f64 {
-    let [dx, dy] = g.grid.spacing;
-    let cols = g.grid.shape.cols;
+fn slope_downstream(ways: &dyn SedimentRouting, downstream: &FlowPartition, i: usize) -> f64 {
     let fall = |(j, share): (usize, f64)| {
-        let (rows, across) = ((i / cols).abs_diff(j / cols), (i % cols).abs_diff(j % cols));
-        let distance = math::hypot(rows.min(1) as f64 * dy, across.min(1) as f64 * dx);
+        let distance = ways.domain().neighbours(i).find(|l| l.to == j).map_or(f64::INFINITY, |l| l.distance);
         share * (ways.height(i) - ways.surface(j)).max(0.0) / distance
     };
     downstream.weights().map(fall).sum()

@@ -11,6 +11,8 @@ use crate::mechanism::water::{FlowPartition, Pipes, Rule, Sweep, highest_first};
 
 /// Where sediment goes.
 pub(super) trait SedimentRouting {
+    /// The graph that water runs over.
+    fn domain(&self) -> &RasterDomain;
     /// Nodes, higher ones before their lower neighbours.
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_>;
     /// The nodes to which a node passes water and sediment on, with shares; always lower ground.
@@ -31,6 +33,10 @@ pub(super) struct SweepPaths<'a> {
 }
 
 impl SedimentRouting for SweepPaths<'_> {
+    fn domain(&self) -> &RasterDomain {
+        self.domain
+    }
+
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         Box::new(self.sweep.order())
     }
@@ -78,6 +84,10 @@ impl<'a> PipePaths<'a> {
 }
 
 impl SedimentRouting for PipePaths<'_> {
+    fn domain(&self) -> &RasterDomain {
+        self.domain
+    }
+
     fn order(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         Box::new(highest_first(self.ground).into_iter())
     }
@@ -87,13 +97,13 @@ impl SedimentRouting for PipePaths<'_> {
         let mut lower = FlowPartition::default();
         for (to, volume) in self.pipes.volume_out(self.domain, node) {
             if volume > 0.0 && self.ground[to] < z {
-                lower.push(to, z - volume);
+                lower.push(to, [volume, 1.0]);
             }
         }
         if lower.is_empty() {
             lower = FlowPartition::from_neighbours(self.domain, self.ground, node, |to| self.ground[to]);
         }
-        lower.set_weights(Rule::Weighted, z, part);
+        lower.set_weights(Rule::Weighted, part);
         lower
     }
 

@@ -2,10 +2,12 @@
 
 mod drainage;
 mod grid;
+mod lattice;
 mod radius;
 pub mod water;
 pub mod wind;
 
 pub use drainage::{write_channel_steepness_fields, write_drainage_fields};
 pub use grid::GridParams;
+pub use lattice::Lattice;
 pub use radius::within_map;

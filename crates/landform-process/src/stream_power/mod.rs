@@ -102,7 +102,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::mechanism::{write_channel_steepness_fields, write_drainage_fields};
 use braun_willett_2013::sweep;
-pub use params::{Lattice, StreamPower};
+pub use params::StreamPower;
+
+pub use crate::mechanism::Lattice;
 use rock::{Rock, sweep_layers};
 use yuan_2019::Sediment;
 

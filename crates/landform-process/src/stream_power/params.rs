@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::law::Law;
+use crate::mechanism::Lattice;
 
 /// Slope that ground approaches and does not exceed, where none is given.
 const USUAL_LIMITING_SLOPE: f64 = 0.9;
@@ -83,19 +84,6 @@ pub struct StreamPower {
     /// If not given, all of it goes to one receiver.
     #[schemars(extend("x-min" = 0.0, "x-max" = 20.0))]
     pub multiple_flow: Option<f64>,
-}
-
-/// Where the nodes of a raster stand.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Lattice {
-    /// Off the centres of their cells, up to half a cell each way, so that rivers do not follow the
-    /// lattice. Heights go there by smooth curves when the run begins, and back to the centres when
-    /// it ends.
-    #[default]
-    Jittered,
-    /// On the centres of their cells. Rivers then keep to eight directions.
-    Regular,
 }
 
 impl Default for StreamPower {

@@ -33,11 +33,11 @@ impl Sweep {
         let ground = self.ran_over();
         if self.lake(node).is_some() {
             let mut lower = FlowPartition::from_neighbours(domain, ground, node, |to| ground[to]);
-            lower.set_weights(Rule::Weighted, ground[node], part);
+            lower.set_weights(Rule::Weighted, part);
             return lower;
         }
         let mut lower = FlowPartition::from_neighbours(domain, ground, node, |to| self.surface(to));
-        lower.set_weights(self.rule, ground[node], part);
+        lower.set_weights(self.rule, part);
         lower
     }
 }

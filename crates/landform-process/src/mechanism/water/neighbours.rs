@@ -1,18 +1,18 @@
-//! Per-node cache: the lowest neighbour, the drop to the second-lowest, and how many higher
-//! neighbours are still unrouted.
+//! Per-node cache: the neighbour down the steepest slope, by how much the next is less steep, and
+//! how many higher neighbours are still unrouted.
 
-use landform_core::grid::{Neighbours, RasterDomain, Shape};
+use landform_core::grid::{Domain, Neighbours, RasterDomain, Shape};
 use landform_core::parallel;
 
 /// A node's neighbours, in eight bytes.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct LowestNeighbour {
-    /// By how much the second lowest is higher than the lowest, m; as much as the node itself if no
-    /// other is lower. Rounded down.
+pub(super) struct SteepestNeighbour {
+    /// By how much the drop to it, over a cell's distance, is greater than the next, m; the drop
+    /// itself if no other neighbour is lower. Rounded down.
     gap: f32,
-    /// The lowest neighbour by its place in the window of nine without its middle, row by row;
-    /// [`PIT`] if none is lower, [`UNKNOWN`] if the node has not eight neighbours.
-    lowest: u8,
+    /// The neighbour by its place in the window of nine without its middle, row by row; [`PIT`] if
+    /// none is lower, [`UNKNOWN`] if the node has not eight neighbours.
+    steepest: u8,
     /// The lower neighbours, a bit each.
     lower: u8,
     /// How many higher neighbours have yet to be visited; [`DONE`] once the node itself has been.
@@ -23,19 +23,19 @@ const PIT: u8 = 8;
 const UNKNOWN: u8 = u8::MAX;
 const DONE: u8 = u8::MAX;
 
-impl LowestNeighbour {
-    /// The lowest neighbour's place, if it is lower than any other by so much that all of `depth` m
-    /// of water run there.
+impl SteepestNeighbour {
+    /// The neighbour's place, if it drops by so much more than any other that all of `depth` m of
+    /// water run there.
     #[inline]
     pub(super) fn sole_receiver(self, depth: f64) -> Option<usize> {
-        (self.lowest < PIT && depth <= f64::from(self.gap)).then_some(self.lowest as usize)
+        (self.steepest < PIT && depth <= f64::from(self.gap)).then_some(self.steepest as usize)
     }
 }
 
 /// The cache of all nodes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct NeighbourTable {
-    of: Vec<LowestNeighbour>,
+    of: Vec<SteepestNeighbour>,
     /// From a node to its eight neighbours.
     offset: [isize; 8],
 }
@@ -46,7 +46,9 @@ impl NeighbourTable {
         let Shape { rows, cols } = domain.shape();
         let row = cols as isize;
         self.offset = [-row - 1, -row, -row + 1, -1, 1, row - 1, row, row + 1];
-        self.of.resize(ground.len(), LowestNeighbour::default());
+        self.of.resize(ground.len(), SteepestNeighbour::default());
+        let cell = domain.cell();
+        let uniform = |slot: usize| domain.steepness(cols + 1, slot as u8) * cell;
         parallel::for_rows_mut(&mut self.of, cols, |row, out| {
             let rim = |col: usize| rim_node(domain, ground, row * cols + col);
             if row == 0 || row + 1 >= rows || cols < 3 {
@@ -54,15 +56,22 @@ impl NeighbourTable {
                 return;
             }
             let three = &ground[(row - 1) * cols..(row + 2) * cols];
-            for col in 1..cols - 1 {
-                out[col] = inner_node(|k| three[(k / 3) * cols + col + k % 3 - 1]);
+            let window = |col: usize| move |k: usize| three[(k / 3) * cols + col + k % 3 - 1];
+            match domain.steepness_around(row) {
+                None => {
+                    let scale: [f64; 8] = std::array::from_fn(uniform);
+                    (1..cols - 1).for_each(|col| out[col] = inner_node(window(col), |slot| scale[slot]));
+                }
+                Some(steepness) => (1..cols - 1).for_each(|col| {
+                    out[col] = inner_node(window(col), |slot| steepness(slot, col - 1) * cell);
+                }),
             }
             (out[0], out[cols - 1]) = (rim(0), rim(cols - 1));
         });
     }
 
     #[inline]
-    pub(super) fn at(&self, node: usize) -> LowestNeighbour {
+    pub(super) fn at(&self, node: usize) -> SteepestNeighbour {
         self.of[node]
     }
 
@@ -84,7 +93,7 @@ impl NeighbourTable {
     pub(super) fn visited(&mut self, domain: &RasterDomain, ground: &[f64], node: usize, mut ready: impl FnMut(usize)) {
         let neighbours = &mut self.of[node];
         neighbours.in_degree = DONE;
-        let (mut lower, is_rim) = (neighbours.lower, neighbours.lowest == UNKNOWN);
+        let (mut lower, is_rim) = (neighbours.lower, neighbours.steepest == UNKNOWN);
         let mut release = |to: usize| {
             let in_degree = &mut self.of[to].in_degree;
             *in_degree -= 1;
@@ -104,37 +113,42 @@ impl NeighbourTable {
     }
 }
 
-fn rim_node(domain: &RasterDomain, ground: &[f64], i: usize) -> LowestNeighbour {
+fn rim_node(domain: &RasterDomain, ground: &[f64], i: usize) -> SteepestNeighbour {
     let higher = domain.neighbours(i).filter(|l| ground[l.to] > ground[i]).count() as u8;
-    LowestNeighbour {
-        lowest: UNKNOWN,
+    SteepestNeighbour {
+        steepest: UNKNOWN,
         in_degree: if ground[i].is_nan() { DONE } else { higher },
-        ..LowestNeighbour::default()
+        ..SteepestNeighbour::default()
     }
 }
 
-/// From the heights of a window of nine, row by row.
+/// Slots of the neighbours of a window of nine, row by row.
+const SLOTS: [usize; 8] = [3, 2, 1, 4, 0, 5, 6, 7];
+
+/// From the heights of a window of nine, row by row, and what a drop to the neighbour in a slot is
+/// multiplied by.
 #[inline]
-fn inner_node(at: impl Fn(usize) -> f64) -> LowestNeighbour {
+fn inner_node(at: impl Fn(usize) -> f64, scale: impl Fn(usize) -> f64) -> SteepestNeighbour {
     let z = at(4);
-    let (mut lowest, mut least, mut second) = (PIT, z, z);
+    let (mut steepest, mut most, mut second) = (PIT, 0.0, 0.0);
     let (mut lower, mut higher) = (0, 0);
     for (place, k) in [0, 1, 2, 3, 5, 6, 7, 8].into_iter().enumerate() {
         let level = at(k);
         // Nodata is neither lower nor higher.
         lower |= u8::from(level < z) << place;
         higher += u8::from(level > z);
-        let is_lowest = level < least;
-        second = if is_lowest {
-            least
-        } else if level < second {
-            level
+        let drop = (z - level) * scale(SLOTS[place]);
+        let is_steepest = drop > most;
+        second = if is_steepest {
+            most
+        } else if drop > second {
+            drop
         } else {
             second
         };
-        lowest = if is_lowest { place as u8 } else { lowest };
-        least = if is_lowest { level } else { least };
+        steepest = if is_steepest { place as u8 } else { steepest };
+        most = if is_steepest { drop } else { most };
     }
-    let gap = ((second - least) * (1.0 - 1e-6)) as f32;
-    LowestNeighbour { gap, lowest, lower, in_degree: if z.is_nan() { DONE } else { higher } }
+    let gap = ((most - second) * (1.0 - 1e-6)) as f32;
+    SteepestNeighbour { gap, steepest, lower, in_degree: if z.is_nan() { DONE } else { higher } }
 }

@@ -59,7 +59,7 @@ impl Sweep {
             self.new_pool(input, i, water, 0.0);
             return;
         }
-        lower.set_weights(self.rule, input.ground[i], self.part(input, i));
+        lower.set_weights(self.rule, self.part(input, i));
         for (j, share) in lower.weights() {
             let amount = water * share;
             if amount == 0.0 {

@@ -217,7 +217,7 @@ impl Sweep {
             pits.push(i as u32);
             return;
         }
-        lower.set_weights(self.rule, input.ground[i], self.part(input, i));
+        lower.set_weights(self.rule, self.part(input, i));
         lower.weights().for_each(|(j, share)| self.passed[j] += water * share);
     }
 

@@ -1,5 +1,5 @@
 use landform_core::algo::depression::flood_levels;
-use landform_core::grid::{Domain, Edge, Edges, Grid, Neighbours, RasterDomain, Shape, Status};
+use landform_core::grid::{Domain, Edge, Edges, Grid, Jitter, Neighbours, RasterDomain, Shape, Status};
 use landform_core::math;
 use landform_core::random::Seed;
 
@@ -339,5 +339,101 @@ fn every_node_is_taken_once_and_after_its_higher_neighbours() {
                 assert!(place[i] != usize::MAX && !late, "{rows} {cols} {edge:?} {hole}");
             }
         }
+    }
+}
+
+/// A plane that falls by a tenth towards `angle` degrees east of south, sampled where nodes stand.
+fn plane(angle: f64, jitter: bool) -> (Grid, RasterDomain, Vec<f64>) {
+    let mut grid = Grid::new(Shape::new(121, 121), [10.0; 2]).unwrap();
+    grid.jitter = jitter.then_some(Jitter { seed: Seed(5) });
+    let (s, c) = (math::sin(angle.to_radians()), math::cos(angle.to_radians()));
+    let z = (0..grid.len()).map(|i| grid.position(i)).map(|[x, y]| 500.0 - 0.1 * (s * x - c * y)).collect();
+    let domain = RasterDomain::new(&grid, &[]);
+    (grid, domain, z)
+}
+
+/// Degrees from `angle` to the mean direction in which water crosses the middle of the plane.
+fn astray(grid: &Grid, angle: f64, moves: impl Fn(usize) -> Vec<(usize, f64)>) -> f64 {
+    let mut sum = [0.0; 2];
+    for i in (0..grid.len()).filter(|i| (20..100).contains(&(i % 121)) && (20..100).contains(&(i / 121))) {
+        let from = grid.position(i);
+        for (j, amount) in moves(i) {
+            let to = grid.position(j);
+            (0..2).for_each(|k| sum[k] += amount * (to[k] - from[k]));
+        }
+    }
+    math::atan2(sum[0], -sum[1]).to_degrees() - angle
+}
+
+#[test]
+fn water_runs_down_the_fall_line_whichever_way_the_lattice_lies() {
+    for angle in [0.0, 5.0, 10.0, 22.5, 30.0, 45.0] {
+        let (grid, domain, z) = plane(angle, true);
+        let depth = vec![0.1; z.len()];
+        for rule in RULES {
+            let (mut sweep, mut standing) = (Sweep::new(rule), vec![0.0; z.len()]);
+            sweep.round(&domain, &z, &rain(&depth), &mut standing);
+            let total: f64 = depth.iter().sum();
+            let way = |i: usize| {
+                let passed = sweep.passed()[i];
+                sweep.downstream(&domain, i, passed / total).weights().map(|(j, w)| (j, w * passed)).collect()
+            };
+            let off = astray(&grid, angle, way);
+            assert!(off.abs() < 3.0, "{rule:?} {angle}: {off}");
+        }
+        let mut flow = landform_core::algo::flow::Flow::new();
+        let mut area = landform_core::algo::flow::node_areas(&domain);
+        flow.route(&domain, &z, &mut area);
+        let off = astray(&grid, angle, |i| vec![(flow.receivers()[i] as usize, area[i])]);
+        assert!(off.abs() < 3.0, "area {angle}: {off}");
+        // Shared among all lower neighbours, what leaves a node goes on by slope.
+        let mut shared = landform_core::algo::flow::node_areas(&domain);
+        flow.accumulate_multiple(&domain, &z, 1.1, &mut shared);
+        let by_slope = |i: usize| {
+            let lower = domain.neighbours(i).filter(|l| z[l.to] < z[i]);
+            let all: Vec<_> = lower.map(|l| (l.to, math::pow((z[i] - z[l.to]) / l.distance, 1.1))).collect();
+            let sum: f64 = all.iter().map(|s| s.1).sum();
+            all.into_iter().map(|(j, s)| (j, shared[i] * s / sum)).collect()
+        };
+        let off = astray(&grid, angle, by_slope);
+        assert!(off.abs() < 3.0, "multiple {angle}: {off}");
+        // Pipes have no corners, and run over the centres.
+        let (grid, domain, z) = plane(angle, false);
+        let ends: Vec<u32> =
+            (0..z.len()).filter(|&i| domain.status()[i] != Status::Interior).map(|i| i as u32).collect();
+        let (mut pipes, mut water) = (Pipes::new(z.len(), [10.0; 2], 0.04), vec![0.0; z.len()]);
+        let supply = vec![1e-5; z.len()];
+        for step in 0..2500 {
+            if step == 2000 {
+                pipes.begin_sums();
+            }
+            let dt = pipes.max_step(&water);
+            pipes.step(&domain, &z, (&rain(&supply), &ends), dt, &mut water);
+        }
+        let off = astray(&grid, angle, |i| pipes.volume_out(&domain, i).collect());
+        assert!(off.abs() < 0.5, "pipes {angle}: {off}");
+    }
+}
+
+#[test]
+fn a_sheet_in_pipes_runs_at_mannings_speed() {
+    // Steady rain on a plane: q grows downhill; u = h^(2/3) S^(1/2) / n, whatever the step.
+    let (_, domain, z) = plane(0.0, false);
+    let ends: Vec<u32> = (0..z.len()).filter(|&i| domain.status()[i] != Status::Interior).map(|i| i as u32).collect();
+    let (roughness, supply) = (0.04, vec![1e-5; z.len()]);
+    let (mut pipes, mut water) = (Pipes::new(z.len(), [10.0; 2], roughness), vec![0.0; z.len()]);
+    for step in 0..1500 {
+        if step == 1499 {
+            pipes.begin_sums();
+        }
+        let dt = pipes.max_step(&water);
+        pipes.step(&domain, &z, (&rain(&supply), &ends), dt, &mut water);
+    }
+    let through = pipes.net_discharge(&domain);
+    for row in [30, 60, 90] {
+        let i = row * 121 + 60;
+        let speed = through[i] / (water[i] * 10.0);
+        let expected = math::pow(water[i], 2.0 / 3.0) * 0.1f64.sqrt() / roughness;
+        assert!((speed / expected - 1.0).abs() < 0.05, "{row}: {speed} {expected}");
     }
 }

@@ -28,6 +28,8 @@ pub(super) struct Line<'a> {
     /// water at those pipes' far ends.
     pub(super) speed_beyond: [&'a [f64]; 2],
     pub(super) water_beyond: [&'a [f64]; 2],
+    /// Speed in the four pipes across, at both ends.
+    pub(super) speed_across: [&'a [f64]; 4],
 }
 
 impl<'a> Line<'a> {
@@ -40,6 +42,7 @@ impl<'a> Line<'a> {
             speed: cut(self.speed),
             speed_beyond: self.speed_beyond.map(cut),
             water_beyond: self.water_beyond.map(cut),
+            speed_across: self.speed_across.map(cut),
         }
     }
 }
@@ -60,11 +63,13 @@ impl Kind {
     pub(super) fn flow(&self, line: &Line<'_>, speed: &mut [f64], volume: &mut [f64]) -> f64 {
         let n = speed.len().min(volume.len());
         let (speed, volume) = (&mut speed[..n], &mut volume[..n]);
-        let Line { ground: [g0, g1], water: [w0, w1], speed: old, speed_beyond: [u0, u1], water_beyond: [b0, b1] } =
+        let Line { ground, water, speed: old, speed_beyond: [u0, u1], water_beyond: [b0, b1], speed_across } =
             line.part(0..n);
+        let ([g0, g1], [w0, w1], [a, b, c, d]) = (ground, water, speed_across);
         for i in 0..n {
+            let across = 0.25 * ((a[i] + b[i]) + (c[i] + d[i]));
             (speed[i], volume[i]) =
-                self.through([g0[i], g1[i]], [w0[i], w1[i]], old[i], (u0[i], b0[i]), (u1[i], b1[i]));
+                self.through([g0[i], g1[i]], [w0[i], w1[i]], [old[i], across], (u0[i], b0[i]), (u1[i], b1[i]));
         }
         fastest(speed)
     }
@@ -74,7 +79,7 @@ impl Kind {
         &self,
         g: [f64; 2],
         [wi, wj]: [f64; 2],
-        speed: f64,
+        [speed, across]: [f64; 2],
         before: (f64, f64),
         after: (f64, f64),
     ) -> (f64, f64) {
@@ -96,11 +101,25 @@ impl Kind {
         let momentum = if (wi < THIN) & (after.0 < speed) { after.0 * all } else { momentum };
         let momentum = if (wj < THIN) & (before.0 > speed) { before.0 * all } else { momentum };
         let pushed = momentum - self.pull * rise * all;
-        let slowed = pushed / (all + self.friction * drag(height) * pushed.abs());
+        let slowed = self.rub(pushed / all, [speed, across], drag(height));
         let limited = greater(if slowed < self.most { slowed } else { self.most }, -self.most);
         let upstream = if limited > 0.0 { wi } else { wj };
         let open = if upstream < height { upstream } else { height };
         if is_open { (limited, limited * open * self.opening) } else { (0.0, 0.0) }
+    }
+}
+
+impl Kind {
+    /// The speed after friction over the step, implicit: the root of u (1 + k |U|) = `pushed`, so
+    /// that steady flow keeps Manning's speed however long the step is. |U| is the whole speed: with
+    /// a pipe's own, water would leave the fall line for a diagonal. `across` is the old speed
+    /// across the pipe, from which follows what pushes there.
+    #[inline(always)]
+    fn rub(&self, pushed: f64, [speed, across]: [f64; 2], drag: f64) -> f64 {
+        let k = self.friction * drag;
+        let pushed_across = across * (1.0 + k * (speed * speed + across * across).sqrt());
+        let whole = (pushed * pushed + pushed_across * pushed_across).sqrt();
+        2.0 * pushed / (1.0 + (1.0 + 4.0 * k * whole).sqrt())
     }
 }
 

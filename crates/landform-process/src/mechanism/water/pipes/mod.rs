@@ -7,7 +7,8 @@
 //!
 //! # Method
 //! Explicit: fluxes on faces, then the part of them that the columns can give, then columns. The
-//! step is at most 0.4 of the time that a wave needs across a cell. Friction is implicit. Strips of
+//! step is at most 0.4 of the time that a wave needs across a cell. Friction is implicit, by the
+//! whole speed, so that steady flow runs down the fall line at Manning's speed. Strips of
 //! rows run in parallel, and in a strip one row after another with a window of its neighbours, so
 //! that fields are read and written once a step; rows at the sides of strips are computed twice in
 //! the same way, so the water that leaves one column enters the next.

@@ -118,7 +118,7 @@ impl Window {
     }
 
     /// Speeds in the pipes of a row and the volumes they would carry.
-    fn accelerate(&mut self, before: &Before<'_>, row: usize) -> f64 {
+    fn accelerate<'a>(&mut self, before: &Before<'a>, row: usize) -> f64 {
         let cols = before.cols;
         let [eastward, southward] = &mut self.speed;
         let (east, south) = (&mut self.east[1], &mut self.south[1]);
@@ -129,6 +129,7 @@ impl Window {
         }
         let ground = before.row(before.ground, row + 1);
         let speed = before.row(before.east, row + 1);
+        let (south_above, south_here) = (before.row(before.south, row), before.row(before.south, row + 1));
         let water = &self.water[1];
         let pipes = cols - 1;
         let mut fastest: f64 = 0.0;
@@ -140,6 +141,7 @@ impl Window {
                 speed: &speed[a..b],
                 speed_beyond: [if a == 0 { &before.nothing[..b] } else { &speed[a - 1..b - 1] }, &speed[a + 1..b + 1]],
                 water_beyond: [&water[a..b], &water[a + 3..b + 3]],
+                speed_across: [&south_above[a..b], &south_above[a + 1..b + 1], &south_here[a..b], &south_here[a + 1..b + 1]],
             };
             fastest = greater(fastest, before.eastward.flow(&line, &mut eastward[a..b], &mut east[a + 1..b + 1]));
         }
@@ -149,14 +151,22 @@ impl Window {
             return fastest;
         }
         let [w0, w1, w2, w3] = self.water.each_ref().map(|w| &w[1..=cols]);
-        let line = Line {
-            ground: [ground, before.row(before.ground, row + 2)],
-            water: [w1, w2],
-            speed: before.row(before.south, row + 1),
-            speed_beyond: [before.row(before.south, row), before.row(before.south, row + 2)],
-            water_beyond: [w0, w3],
-        };
-        greater(fastest, before.southward.flow(&line, &mut southward[..cols], &mut south[..cols]))
+        let (below, next) = (before.row(before.ground, row + 2), before.row(before.east, row + 2));
+        let speeds = [0, 1, 2].map(|k| before.row(before.south, row + k));
+        for (a, b) in [(0, 1), (1, cols)].into_iter().filter(|(a, b)| a < b) {
+            let cut = |row: &'a [f64]| &row[a..b];
+            let west = |row: &'a [f64]| if a == 0 { &before.nothing[..b] } else { &row[a - 1..b - 1] };
+            let line = Line {
+                ground: [cut(ground), cut(below)],
+                water: [&w1[a..b], &w2[a..b]],
+                speed: cut(speeds[1]),
+                speed_beyond: [cut(speeds[0]), cut(speeds[2])],
+                water_beyond: [&w0[a..b], &w3[a..b]],
+                speed_across: [west(speed), cut(speed), west(next), cut(next)],
+            };
+            fastest = greater(fastest, before.southward.flow(&line, &mut southward[a..b], &mut south[a..b]));
+        }
+        fastest
     }
 
     /// The part of their outflow that the columns of row r have.
