@@ -141,7 +141,12 @@ impl Window {
                 speed: &speed[a..b],
                 speed_beyond: [if a == 0 { &before.nothing[..b] } else { &speed[a - 1..b - 1] }, &speed[a + 1..b + 1]],
                 water_beyond: [&water[a..b], &water[a + 3..b + 3]],
-                speed_across: [&south_above[a..b], &south_above[a + 1..b + 1], &south_here[a..b], &south_here[a + 1..b + 1]],
+                speed_across: [
+                    &south_above[a..b],
+                    &south_above[a + 1..b + 1],
+                    &south_here[a..b],
+                    &south_here[a + 1..b + 1],
+                ],
             };
             fastest = greater(fastest, before.eastward.flow(&line, &mut eastward[a..b], &mut east[a + 1..b + 1]));
         }
