@@ -19,7 +19,7 @@ pub(super) struct Round {
 /// Side of the square, in radii of weakening, whose fall weakens by the whole amount; smaller cells
 /// weaken by their part of it, so that the weakening by an area that falls does not depend on them.
 /// The thesis' sites of 15 m and radius of 25 m are of this size.
-const WHOLE_EVENT: f64 = 0.6;
+pub(super) const WHOLE_EVENT: f64 = 0.6;
 
 /// What drives the sea at each site.
 pub(super) struct Drive<'a> {

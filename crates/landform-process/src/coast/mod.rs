@@ -10,11 +10,12 @@
 //! The coast is a group of agents; a round costs as much as the coast is long, and with a local
 //! perimeter its length times the radius. Where other processes on the same clock moved the ground,
 //! or the level of the sea changed, the sea floods anew before the round: what rose from it has all
-//! its resistance again.
+//! its resistance again. With a `grain` sites are irregular grains of a size in metres rather than
+//! cells, so that the same coast forms whatever the cells, and none of its lines follows them.
 //!
 //! # Limits
-//! Rounds have no length in time. All land that falls gets the same depth. Without weakening the
-//! model has no scale: the depth of its bays is a number of cells, not of metres.
+//! Rounds have no length in time. All land that falls gets the same depth. On cells, without
+//! weakening, the model has no scale: the depth of its bays is a number of cells, not of metres.
 //!
 //! # Sources
 //! Sapoval, Baldassarri & Gabrielli (2004); Pytel (2015), 2.3.3, 4.2, 4.3.4 and B.1, whose radii
@@ -45,8 +46,10 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod any_front;
 mod front;
 mod front_terrain;
+mod grains;
 mod ground;
 mod heights;
 mod interior;
@@ -65,7 +68,8 @@ use landform_core::verb::{Change, Context, Environment, OwnClock, Process, Resol
 use landform_core::{Error, Result};
 use serde::{Deserialize, Serialize};
 
-use front::{Drive, Front, flood};
+use any_front::AnyFront;
+use front::{Drive, flood};
 pub use front_terrain::FrontTerrain;
 use ground::{fingerprint, print_of};
 pub use heights::LevelInterpolation;
@@ -104,25 +108,21 @@ pub struct State {
     wear: Resolved,
     weakening: Resolved,
     #[serde(skip)]
-    front: Option<Front>,
+    front: Option<AnyFront>,
 }
 
 impl CoastErosion {
-    fn front(&self, terrain: &HeightField, land: Vec<bool>, material: Vec<f64>, length: Option<f64>) -> Result<Front> {
-        let radius = self.weakening.map(|w| w.radius.si());
-        Front::new(terrain.grid(), land, material, (self.exposure, self.perimeter), radius, length)
-    }
-
     /// The front as it was left. Land and material move between the state, which a checkpoint
     /// holds, and the front, which it does not.
-    fn resume(&self, terrain: &HeightField, state: &mut State) -> Result<Front> {
+    fn resume(&self, terrain: &HeightField, state: &mut State) -> Result<AnyFront> {
         let (land, material) = (std::mem::take(&mut state.land), std::mem::take(&mut state.material));
         match state.front.take() {
             Some(mut front) => {
-                (front.land, front.material) = (land, material);
+                let (own_land, own_material) = front.parts();
+                (*own_land, *own_material) = (land, material);
                 Ok(front)
             }
-            None => self.front(terrain, land, material, Some(state.start_length)),
+            None => AnyFront::resume(self, terrain, (land, material), Some(state.start_length), state.seed),
         }
     }
 }
@@ -136,21 +136,24 @@ fn land_above(terrain: &HeightField, level: f64) -> Result<Vec<bool>> {
 
 impl State {
     /// What is left of a site's resistance before the sea came.
-    fn fresh(&self, site: usize) -> f64 {
-        self.rock.at(site) * self.seed.uniform(site as u64)
+    fn fresh(&self, site: usize, node: usize) -> f64 {
+        self.rock.at(node) * self.seed.uniform(site as u64)
     }
 
     /// Floods anew: land that rose from the sea has all its resistance, land that sank is sea.
-    fn flood(&mut self, terrain: &HeightField, front: &mut Front, round: u32) -> Result<()> {
+    fn flood(&mut self, terrain: &HeightField, front: &mut AnyFront, round: u32) -> Result<()> {
         for site in front.take_over(land_above(terrain, self.sea_level)?) {
-            if front.land[site] {
-                front.material[site] = self.fresh(site);
+            let fresh = self.fresh(site, front.node(site));
+            let (land, material) = front.parts();
+            let age = if land[site] {
+                material[site] = fresh;
                 self.left += 1;
-                self.age[site] = 0;
+                0
             } else {
                 self.left = self.left.saturating_sub(1);
-                self.age[site] = round;
-            }
+                round
+            };
+            front.each_node(site, |i| self.age[i] = age);
         }
         Ok(())
     }
@@ -197,15 +200,19 @@ impl Process<HeightField> for CoastErosion {
             },
             front: None,
         };
-        state.material = (0..n).map(|i| state.fresh(i)).collect();
         if matches!(self.until, Until::Stable(_)) && state.wear.max() > 0.0 {
             return Err(params::never_rests());
         }
-        let front = self.front(terrain, state.land.clone(), state.material.clone(), None)?;
+        let land = std::mem::take(&mut state.land);
+        let mut front = AnyFront::new(self, terrain, land, state.seed, |site, node| state.fresh(site, node))?;
         if front.is_done() {
             return Err(Error::parameter("sea_level", format!("{level} m"), "a level at which the sea reaches land"));
         }
-        state.start_length = front.start_length;
+        state.start_length = front.start_length();
+        let (land, material) = front.parts();
+        state.start_land = land.iter().filter(|l| **l).count();
+        state.left = state.start_land;
+        (state.land, state.material) = (std::mem::take(land), std::mem::take(material));
         state.front = Some(front);
         Ok(state)
     }
@@ -229,22 +236,23 @@ impl Process<HeightField> for CoastErosion {
         }
         let fallen = self.round(state, &mut front);
         state.left = state.left.saturating_sub(fallen.len());
-        fallen.iter().for_each(|&site| state.age[site] = round_number);
+        fallen.iter().for_each(|&site| front.each_node(site, |i| state.age[i] = round_number));
         let (floor, mut eroded) = (level - self.depth.si(), 0.0);
         terrain.change(Layer::Surface("sediment"), |z| {
-            for &site in &fallen {
-                let new = z[site].min(floor);
-                let print = print_of(site, new).wrapping_sub(print_of(site, z[site]));
+            let mut sink = |i: usize| {
+                let new = z[i].min(floor);
+                let print = print_of(i, new).wrapping_sub(print_of(i, z[i]));
                 state.ground = state.ground.wrapping_add(print);
-                eroded += z[site] - new;
-                z[site] = new;
-            }
+                eroded += z[i] - new;
+                z[i] = new;
+            };
+            fallen.iter().for_each(|&site| front.each_node(site, &mut sink));
         });
         if front.opens_lows(&fallen, terrain.elevation(), level) {
             state.flood(terrain, &mut front, round_number)?;
         }
-        state.land = std::mem::take(&mut front.land);
-        state.material = std::mem::take(&mut front.material);
+        let (land, material) = front.parts();
+        (state.land, state.material) = (std::mem::take(land), std::mem::take(material));
         state.front = Some(front);
         let eroded = eroded * terrain.grid().cell_area();
         Ok(Change { eroded, exported: eroded, ..Change::default() })
@@ -257,13 +265,15 @@ impl Process<HeightField> for CoastErosion {
 
 impl CoastErosion {
     /// One round; returns the sites that fell.
-    fn round(&self, state: &mut State, front: &mut Front) -> Vec<usize> {
+    fn round(&self, state: &mut State, front: &mut AnyFront) -> Vec<usize> {
         let amount = self.weakening.map_or(0.0, |w| w.amount);
+        let grains = front.grains();
+        let node = |site: usize| grains.as_ref().map_or(site, |g| g.node(site));
         let round = front.round(&Drive {
-            force: &|i| state.force.at(i),
-            damping: &|i| state.damping.at(i),
-            wear: &|i| state.wear.at(i),
-            weakening: &|i| amount * state.weakening.at(i),
+            force: &|i| state.force.at(node(i)),
+            damping: &|i| state.damping.at(node(i)),
+            wear: &|i| state.wear.at(node(i)),
+            weakening: &|i| amount * state.weakening.at(node(i)),
         });
         state.rests = front.is_done() || round.fallen.is_empty() && state.wear.max() == 0.0;
         round.fallen

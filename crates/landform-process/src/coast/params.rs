@@ -121,6 +121,10 @@ pub struct CoastErosion {
     /// Coast whose length damps the sea: "global", { local = "1 km", search = "contiguous" } or
     /// "all", or { sectors = 2 }.
     pub perimeter: Perimeter,
+    /// Size of the irregular grains in which the coast falls. The same coast then forms whatever
+    /// the cells, and its lines do not follow them. If not given, cells fall.
+    #[schemars(extend("x-above" = 0.0))]
+    pub grain: Option<Length>,
     /// How the resistance of sites falls with the number of their sides that the sea reaches.
     pub exposure: Exposure,
     /// Weakening of sites near one that falls: { amount, radius }. It makes coasts straighter.
@@ -155,6 +159,7 @@ impl Default for CoastErosion {
             force: Ratio::of(0.5).into(),
             damping: Ratio::of(0.15).into(),
             perimeter: Perimeter::Whole(Whole::Global),
+            grain: None,
             exposure: Exposure::Squared,
             weakening: None,
             weakening_factor: None,
@@ -185,6 +190,9 @@ impl Params for CoastErosion {
     ];
 
     fn check(&self) -> Result<()> {
+        if self.grain.is_some() && matches!(self.perimeter, Perimeter::Sectors { .. }) {
+            return Err(Error::parameter("perimeter", "sectors with `grain`", "\"global\" or { local = \"1 km\" }"));
+        }
         match self.perimeter {
             Perimeter::Local { local, .. } if !(local.si() > 0.0 && local.si().is_finite()) => {
                 return Err(Error::parameter("perimeter", format!("local = {local}"), "a radius above 0 m"));

@@ -61,7 +61,7 @@ pub(super) fn vertices(root: &Path, _: &Path) -> Result<String> {
         "## Table B.1, figure 5.25: time by nodes\n\n\
          Seconds on the wall of this machine, one run at a time, mesh included; the thesis' on an Intel Core i7 of 2.8 GHz, without. \
          First in its steps of 250 kyr, until no node moves by more than a thousandth of the uplift (its own criterion is not \
-         given); then from coarse to fine, until no bit changes or for 600 steps.\n\n\
+         given); then from coarse to fine, until it is steady to 1e-12 of the relief.\n\n\
          | nodes | thesis, s | ours in its steps, s | steps | coarse to fine, s | steps on the finest level |\n|---|---|---|---|---|---|\n",
     );
     let mut ours = Vec::new();
