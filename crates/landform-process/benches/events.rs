@@ -82,8 +82,11 @@ fn runs(criterion: &mut Criterion) {
         ("coast 256, contiguous, 17 sites", Perimeter::Local { local: Length::of(250.0), search: Which::Contiguous }),
         ("coast 256, all, 17 sites", Perimeter::Local { local: Length::of(250.0), search: Which::All }),
     ] {
-        let coast =
-            CoastErosion { force: landform_core::units::Ratio::of(0.64).into(), perimeter, ..CoastErosion::default() };
+        let coast = CoastErosion {
+            force: Some(landform_core::units::Ratio::of(0.64).into()),
+            perimeter,
+            ..CoastErosion::default()
+        };
         group.bench_function(name, |b| {
             b.iter(|| {
                 let simulation = Simulation::new(flat(256, 15.0, 4.0)).process(coast.clone()).unwrap();

@@ -39,7 +39,7 @@
 //!
 //! let island = HeightField::new(Grid::new(Shape::new(9, 9), [10.0, 10.0])?, vec![4.0; 81])?;
 //! let mut model = Model::new(island).dt(YEAR);
-//! model.add(CoastErosion { force: Ratio::of(10.0).into(), ..CoastErosion::default() })?;
+//! model.add(CoastErosion { force: Some(Ratio::of(10.0).into()), ..CoastErosion::default() })?;
 //! model.advance_steps(2)?;
 //! let land = model.terrain().elevation().iter().filter(|&&z| z > 0.0).count();
 //! assert_eq!(land, 25);
@@ -59,6 +59,7 @@ mod perimeter;
 mod prune;
 #[cfg(test)]
 mod tests;
+mod trials;
 
 use landform_core::field::names;
 use landform_core::random::Seed;
@@ -74,7 +75,7 @@ pub use front_terrain::FrontTerrain;
 use ground::{fingerprint, print_of};
 pub use heights::LevelInterpolation;
 pub use interior::IslandInterior;
-pub use params::{CoastErosion, Exposure, Perimeter, Search, Stable, Until, Weakening, Whole};
+pub use params::{CoastErosion, Exposure, Look, Perimeter, Search, Stable, Until, Weakening, Whole};
 pub use prune::PruneIslands;
 
 use crate::mechanism::within_map;
@@ -85,6 +86,9 @@ landform_core::stages! {
     edit PruneIslands where HeightField;
     process CoastErosion where HeightField;
 }
+
+/// Force of the sea where none is given.
+const USUAL_FORCE: f64 = 0.5;
 
 /// Land, what is left of its resistance, and parameters on the nodes.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -122,7 +126,9 @@ impl CoastErosion {
                 (*own_land, *own_material) = (land, material);
                 Ok(front)
             }
-            None => AnyFront::resume(self, terrain, (land, material), Some(state.start_length), state.seed),
+            None => {
+                AnyFront::resume(&self.on(terrain), terrain, (land, material), Some(state.start_length), state.seed)
+            }
         }
     }
 }
@@ -168,61 +174,21 @@ impl Process<HeightField> for CoastErosion {
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
-        if let Some(w) = self.weakening {
-            within_map("weakening", w.radius, terrain.grid())?;
+        let params = self.on(terrain);
+        let mut state = params.begin(terrain, context)?;
+        if let (Some(land), Until::Stable(_)) = (self.wanted_land(), params.until) {
+            state.force = Resolved::Uniform(params.force_that_leaves(land, &state)?);
         }
-        let n = terrain.elevation().len();
-        let level = context.environment.level_or(self.sea_level, context.time);
-        let land = land_above(terrain, level)?;
-        let start_land = land.iter().filter(|l| **l).count();
-        if start_land == 0 {
-            return Err(Error::parameter("sea_level", format!("{level} m"), "a level that leaves land"));
-        }
-        let resolve = |v: &landform_core::verb::Varying<_>, name: &str| v.resolve(name, terrain, context);
-        let mut state = State {
-            ground: fingerprint(terrain.elevation()),
-            sea_level: level,
-            land,
-            material: Vec::new(),
-            age: vec![0; n],
-            start_length: 0.0,
-            start_land,
-            left: start_land,
-            rests: false,
-            rock: resolve(&self.resistance, "resistance")?,
-            seed: context.seed,
-            force: resolve(&self.force, "force")?,
-            damping: resolve(&self.damping, "damping")?,
-            wear: resolve(&self.wear, "wear")?,
-            weakening: match &self.weakening_factor {
-                Some(factor) => resolve(factor, "weakening_factor")?,
-                None => Resolved::Uniform(1.0),
-            },
-            front: None,
-        };
-        if matches!(self.until, Until::Stable(_)) && state.wear.max() > 0.0 {
-            return Err(params::never_rests());
-        }
-        let land = std::mem::take(&mut state.land);
-        let mut front = AnyFront::new(self, terrain, land, state.seed, |site, node| state.fresh(site, node))?;
-        if front.is_done() {
-            return Err(Error::parameter("sea_level", format!("{level} m"), "a level at which the sea reaches land"));
-        }
-        state.start_length = front.start_length();
-        let (land, material) = front.parts();
-        state.start_land = land.iter().filter(|l| **l).count();
-        state.left = state.start_land;
-        (state.land, state.material) = (std::mem::take(land), std::mem::take(material));
-        state.front = Some(front);
         Ok(state)
     }
 
-    fn is_at_rest(&self, _: &HeightField, state: &State) -> bool {
-        state.rests || matches!(self.until, Until::Land { .. }) && !self.falls_short(state)
+    fn is_at_rest(&self, terrain: &HeightField, state: &State) -> bool {
+        let params = self.on(terrain);
+        state.rests || matches!(params.until, Until::Land { .. }) && !params.falls_short(state)
     }
 
-    fn is_short_of_its_end(&self, _: &HeightField, state: &State) -> bool {
-        self.falls_short(state)
+    fn is_short_of_its_end(&self, terrain: &HeightField, state: &State) -> bool {
+        self.on(terrain).falls_short(state)
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
@@ -234,7 +200,7 @@ impl Process<HeightField> for CoastErosion {
             state.ground = fingerprint(terrain.elevation());
             state.flood(terrain, &mut front, round_number)?;
         }
-        let fallen = self.round(state, &mut front);
+        let fallen = self.on(terrain).round(state, &mut front);
         state.left = state.left.saturating_sub(fallen.len());
         fallen.iter().for_each(|&site| front.each_node(site, |i| state.age[i] = round_number));
         let (floor, mut eroded) = (level - self.depth.si(), 0.0);
@@ -264,6 +230,66 @@ impl Process<HeightField> for CoastErosion {
 }
 
 impl CoastErosion {
+    /// The parameters on a terrain's cells, with those that a look stands for.
+    fn on(&self, terrain: &HeightField) -> Self {
+        let [dx, dy] = terrain.grid().spacing;
+        self.with_look(0.5 * (dx + dy))
+    }
+
+    /// The state before the first round.
+    fn begin(&self, terrain: &HeightField, context: &Context) -> Result<State> {
+        if let Some(w) = self.weakening {
+            within_map("weakening", w.radius, terrain.grid())?;
+        }
+        let n = terrain.elevation().len();
+        let level = context.environment.level_or(self.sea_level, context.time);
+        let land = land_above(terrain, level)?;
+        let start_land = land.iter().filter(|l| **l).count();
+        if start_land == 0 {
+            return Err(Error::parameter("sea_level", format!("{level} m"), "a level that leaves land"));
+        }
+        let resolve = |v: &landform_core::verb::Varying<_>, name: &str| v.resolve(name, terrain, context);
+        let mut state = State {
+            ground: fingerprint(terrain.elevation()),
+            sea_level: level,
+            land,
+            material: Vec::new(),
+            age: vec![0; n],
+            start_length: 0.0,
+            start_land,
+            left: start_land,
+            rests: false,
+            rock: resolve(&self.resistance, "resistance")?,
+            seed: context.seed,
+            force: match &self.force {
+                Some(force) => resolve(force, "force")?,
+                None => Resolved::Uniform(USUAL_FORCE),
+            },
+            damping: resolve(&self.damping, "damping")?,
+            wear: resolve(&self.wear, "wear")?,
+            weakening: match &self.weakening_factor {
+                Some(factor) => resolve(factor, "weakening_factor")?,
+                None => Resolved::Uniform(1.0),
+            },
+            front: None,
+        };
+        if matches!(self.until, Until::Stable(_)) && state.wear.max() > 0.0 {
+            return Err(params::never_rests());
+        }
+        let land = std::mem::take(&mut state.land);
+        let mut front = AnyFront::new(self, terrain, land, state.seed, |site, node| state.fresh(site, node))?;
+        if front.is_done() {
+            return Err(Error::parameter("sea_level", format!("{level} m"), "a level at which the sea reaches land"));
+        }
+        state.start_length = front.start_length();
+        let (land, material) = front.parts();
+        state.start_land = land.iter().filter(|l| **l).count();
+        state.left = state.start_land;
+        (state.land, state.material) = (std::mem::take(land), std::mem::take(material));
+        state.front = Some(front);
+        Ok(state)
+    }
+
     /// One round; returns the sites that fell.
     fn round(&self, state: &mut State, front: &mut AnyFront) -> Vec<usize> {
         let amount = self.weakening.map_or(0.0, |w| w.amount);

@@ -66,6 +66,18 @@ pub enum Exposure {
     Squared,
 }
 
+/// What a coast looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Look {
+    /// Bays and capes of any size, with islands before them.
+    Rugged,
+    /// Land broken up into islets and narrow channels far inland.
+    Skerries,
+    /// A line that is nearly straight, without islands.
+    Smooth,
+}
+
 /// Weakening of sites near one that falls.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
@@ -111,9 +123,17 @@ pub enum Stable {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct CoastErosion {
-    /// Force f of the sea, against resistances from 0 to 1.
+    /// What the coast shall look like: "rugged", "skerries" or "smooth". It stands for damping,
+    /// perimeter, exposure and weakening, which then are not given.
+    pub look: Option<Look>,
+    /// Share of the land that shall be left once the sea rests. The force is then found by trials,
+    /// and is not given. With a look it is 0.6 if not given.
+    #[schemars(extend("x-above" = 0.0, "x-below" = 1.0))]
+    pub land: Option<f64>,
+    /// Force f of the sea, against resistances from 0 to 1. If neither it nor `land` or a look is
+    /// given, it is 0.5.
     #[schemars(extend("x-min" = 0.0))]
-    pub force: Varying<RatioDimension>,
+    pub force: Option<Varying<RatioDimension>>,
     /// Damping g of the sea by the length of the coast: F = f / (1 + g L / L0). With 0.1 and more
     /// the coast is rough, with 0.003 and less it is fractal.
     #[schemars(extend("x-min" = 0.0))]
@@ -156,7 +176,9 @@ pub struct CoastErosion {
 impl Default for CoastErosion {
     fn default() -> Self {
         Self {
-            force: Ratio::of(0.5).into(),
+            look: None,
+            land: None,
+            force: None,
             damping: Ratio::of(0.15).into(),
             perimeter: Perimeter::Whole(Whole::Global),
             grain: None,
@@ -190,6 +212,7 @@ impl Params for CoastErosion {
     ];
 
     fn check(&self) -> Result<()> {
+        self.check_look()?;
         if self.grain.is_some() && matches!(self.perimeter, Perimeter::Sectors { .. }) {
             return Err(Error::parameter("perimeter", "sectors with `grain`", "\"global\" or { local = \"1 km\" }"));
         }
@@ -225,6 +248,74 @@ impl Params for CoastErosion {
             Until::Stable(_) if matches!(&self.wear, Varying::Uniform(wear) if wear.si() > 0.0) => Err(never_rests()),
             _ => Ok(()),
         }
+    }
+}
+
+impl CoastErosion {
+    /// Refuses what a look or a share of land stands for beside it.
+    fn check_look(&self) -> Result<()> {
+        let usual = Self::default();
+        let given = [
+            ("damping", self.damping != usual.damping),
+            ("perimeter", self.perimeter != usual.perimeter),
+            ("exposure", self.exposure != usual.exposure),
+            ("weakening", self.weakening.is_some()),
+            ("wear", self.wear != usual.wear),
+        ];
+        if let (Some(_), Some((name, _))) = (self.look, given.into_iter().find(|g| g.1)) {
+            return Err(Error::parameter(name, "given beside `look`", "one of the two: a look stands for it"));
+        }
+        if self.land.is_none() && self.look.is_none() {
+            return Ok(());
+        }
+        if self.force.is_some() {
+            return Err(Error::parameter(
+                "force",
+                "given beside `land` or `look`",
+                "one of them: it is found by trials",
+            ));
+        }
+        if self.land.is_some_and(|land| !(land > 0.0 && land < 1.0)) {
+            return Err(Error::parameter("land", self.land.unwrap_or(0.0), "a part between 0 and 1"));
+        }
+        if self.wear != usual.wear {
+            return Err(Error::parameter(
+                "wear",
+                "given beside `land`",
+                "until = { land = 0.6 }: it ends at a share too",
+            ));
+        }
+        Ok(())
+    }
+
+    /// These parameters, with those that the look stands for. Lengths are counted in grains, or in
+    /// cells of `cell` metres.
+    pub(super) fn with_look(&self, cell: f64) -> Self {
+        let Some(look) = self.look else { return self.clone() };
+        let grain = self.grain.map_or(cell, Length::si);
+        let local = |grains: f64| Perimeter::Local { local: Length::of(grains * grain), search: Search::All };
+        let (damping, perimeter) = match look {
+            Look::Rugged => (0.05, Perimeter::Whole(Whole::Global)),
+            Look::Skerries => (1.0, local(5.0)),
+            Look::Smooth => (0.2, local(13.0)),
+        };
+        let own =
+            Self { damping: Ratio::of(damping).into(), perimeter, exposure: Exposure::Proportional, ..self.clone() };
+        match (look, self.wanted_land()) {
+            // A sea that weakens what it leaves does not rest: it wears, and is stopped.
+            (Look::Smooth, Some(land)) => Self {
+                weakening: Some(Weakening { amount: 1.0, radius: Length::of(4.0 * grain) }),
+                wear: Ratio::of(0.05).into(),
+                until: Until::Land { land },
+                ..own
+            },
+            _ => own,
+        }
+    }
+
+    /// The share of land that shall be left.
+    pub(super) fn wanted_land(&self) -> Option<f64> {
+        self.land.or(self.look.map(|_| 0.6))
     }
 }
 

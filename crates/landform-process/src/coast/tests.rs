@@ -67,7 +67,7 @@ fn mainland(field: &HeightField) -> Vec<bool> {
 fn percolation(damping: f64, seed: u64) -> (f64, f64, f64) {
     let force = 0.66;
     let params = CoastErosion {
-        force: number(force),
+        force: Some(number(force)),
         damping: number(damping),
         exposure: Exposure::None,
         iterations: 20_000,
@@ -128,7 +128,7 @@ fn weakly_damped_fronts_are_those_of_percolation() {
 
 #[test]
 fn a_radius_over_the_whole_domain_is_the_global_model() {
-    let global = CoastErosion { force: number(0.6), ..CoastErosion::default() };
+    let global = CoastErosion { force: Some(number(0.6)), ..CoastErosion::default() };
     let local =
         CoastErosion { perimeter: Perimeter::Local { local: Length::of(1e4), search: Search::All }, ..global.clone() };
     let (a, _) = run(&global, ground(96, 96, 10.0, false), 5);
@@ -161,7 +161,7 @@ fn counting_by_rows_agrees_with_counting_one_by_one() {
 #[test]
 fn the_sea_rests_and_is_one() {
     // CO10, CO11.
-    let params = CoastErosion { force: number(0.62), damping: number(0.1), ..CoastErosion::default() };
+    let params = CoastErosion { force: Some(number(0.62)), damping: number(0.1), ..CoastErosion::default() };
     let (field, stopped) = run(&params, ground(128, 128, 10.0, false), 2);
     assert_eq!(stopped, Stopped::AtRest);
     let land = land(&field);
@@ -231,7 +231,7 @@ fn the_forces_of_the_thesis_work_as_printed() {
     // CO1: tables 4.3 and 4.4, with radii in sites of 15 m.
     let of = |force: f64, damping: f64, perimeter: Perimeter| {
         let params = CoastErosion {
-            force: number(force),
+            force: Some(number(force)),
             damping: number(damping),
             perimeter,
             exposure: Exposure::Proportional,
@@ -296,7 +296,8 @@ fn what_has_no_use_is_refused_and_an_end_out_of_reach_is_told() {
     assert!(told.contains("weakening_factor") && told.contains("together with weakening"), "{told}");
     let weakening = Some(Weakening { amount: 1.6, radius: Length::of(75.0) });
     assert!(landform_core::verb::Params::validate(&CoastErosion { weakening, ..alone }).is_ok());
-    let until = |land| CoastErosion { force: number(0.4), until: Until::Land { land }, ..CoastErosion::default() };
+    let until =
+        |land| CoastErosion { force: Some(number(0.4)), until: Until::Land { land }, ..CoastErosion::default() };
     assert_eq!(run(&until(0.1), ground(60, 60, 10.0, false), 1).1, Stopped::AtRestTooSoon);
     assert_eq!(run(&until(0.99), ground(60, 60, 10.0, false), 1).1, Stopped::AtRest);
 }
@@ -335,7 +336,7 @@ fn a_coast_heeds_ground_that_rises_and_sinks_beside_it() {
     let sides = |n: usize, i: usize| [i % n, n - 1 - i % n, i / n, n - 1 - i / n].into_iter().min().unwrap();
     // The floor comes up over the sea after five rounds: it is land again, and the sea starts from
     // the border.
-    let strong = CoastErosion { force: number(10.0), ..CoastErosion::default() };
+    let strong = CoastErosion { force: Some(number(10.0)), ..CoastErosion::default() };
     let lift = |index: u64, z: &mut [f64]| {
         if index == 5 {
             z.iter_mut().for_each(|z| *z += 6.0);
@@ -352,7 +353,7 @@ fn a_coast_heeds_ground_that_rises_and_sinks_beside_it() {
         field.change(Layer::Bedrock, |z| z.iter_mut().enumerate().for_each(|(i, z)| *z = 0.55 + 0.1 * (i % 40) as f64));
         field
     };
-    let weak = CoastErosion { force: number(0.0), ..CoastErosion::default() };
+    let weak = CoastErosion { force: Some(number(0.0)), ..CoastErosion::default() };
     let (_, state) = beside(&weak, ramp(), 6, |index, z| {
         if index == 2 {
             z.iter_mut().for_each(|z| *z -= 2.0);
@@ -366,7 +367,7 @@ fn a_coast_heeds_ground_that_rises_and_sinks_beside_it() {
 
 #[test]
 fn a_coast_alone_is_the_same_after_a_checkpoint_and_opens_lows() {
-    let params = CoastErosion { force: number(10.0), ..CoastErosion::default() };
+    let params = CoastErosion { force: Some(number(10.0)), ..CoastErosion::default() };
     let mut field = ground(40, 40, 10.0, false);
     // A low inland, which the sea reaches after three rounds, and enters at once.
     field.change(Layer::Bedrock, |z| (3..20).for_each(|c| z[20 * 40 + c] = -1.0));

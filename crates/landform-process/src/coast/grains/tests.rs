@@ -25,7 +25,7 @@ fn params(grain: Option<f64>, local: bool) -> CoastErosion {
         (0.476, 0.15, CoastErosion::default().perimeter)
     };
     CoastErosion {
-        force: Ratio::of(force).into(),
+        force: Some(Ratio::of(force).into()),
         damping: Ratio::of(damping).into(),
         exposure: Exposure::Proportional,
         grain: grain.map(Length::of),
@@ -124,4 +124,42 @@ fn a_coast_on_grains_is_the_same_after_a_checkpoint_and_on_any_number_of_threads
     };
     let whole = stepped(false);
     assert!(whole.elevation() == stepped(true).elevation() && share(&whole) < 0.95);
+}
+
+#[test]
+fn a_look_leaves_the_share_of_land_that_is_asked_for() {
+    use crate::coast::Look;
+    let mut coast = Vec::new();
+    for look in [Look::Rugged, Look::Skerries, Look::Smooth] {
+        let params = CoastErosion {
+            look: Some(look),
+            land: Some(0.55),
+            grain: Some(Length::of(40.0)),
+            ..CoastErosion::default()
+        };
+        let field = eroded(20.0, &params, 2);
+        assert!((share(&field) - 0.55).abs() < 0.08, "{look:?} {}", share(&field));
+        let cols = field.grid().shape.cols;
+        let z = field.elevation();
+        coast.push((0..z.len() - cols).filter(|&i| (z[i] > 0.0) != (z[i + cols] > 0.0)).count());
+    }
+    // The smooth coast is the shortest, that of the skerries the longest.
+    assert!(coast[2] * 2 < coast[0] && coast[0] < coast[1], "{coast:?}");
+}
+
+#[test]
+fn a_share_without_a_look_finds_the_force_and_what_contradicts_is_refused() {
+    use landform_core::verb::Params;
+    let given = CoastErosion { land: Some(0.8), force: None, ..params(Some(40.0), true) };
+    assert!(given.validate().is_ok());
+    assert!((share(&eroded(20.0, &given, 2)) - 0.8).abs() < 0.08);
+    let number = |v: f64| Ratio::of(v).into();
+    for wrong in [
+        CoastErosion { force: Some(number(0.5)), ..given.clone() },
+        CoastErosion { land: Some(1.0), ..given.clone() },
+        CoastErosion { look: Some(crate::coast::Look::Rugged), ..given.clone() },
+        CoastErosion { wear: number(0.1), ..given },
+    ] {
+        assert!(wrong.validate().is_err());
+    }
 }
