@@ -49,6 +49,10 @@ pub(super) struct Front {
     stencil: Option<Stencil>,
     /// Part of the amount of weakening that the fall of one site carries.
     event: f64,
+    /// Sides of all sites of the coast.
+    length: u64,
+    /// Sites whose resistance may have changed, if that is followed.
+    changed: Option<Vec<usize>>,
 }
 
 impl Front {
@@ -73,12 +77,14 @@ impl Front {
             perimeter,
             start_length: 0.0,
             event: weakening_radius.map_or(1.0, |r| (grid.cell_area() / (WHOLE_EVENT * WHOLE_EVENT * r * r)).min(1.0)),
+            length: 0,
+            changed: None,
             stencil: weakening_radius.map(|r| Stencil::disc(grid.spacing, r, Falloff::Linear)),
         };
         for site in 0..front.land.len() {
             front.look(site);
         }
-        front.start_length = start_length.unwrap_or_else(|| front.coast.iter().map(|(_, &s)| f64::from(s)).sum());
+        front.start_length = start_length.unwrap_or(front.length as f64);
         Ok(front)
     }
 
@@ -91,6 +97,11 @@ impl Front {
     /// Makes a land site part of the coast if the sea reaches it, and only then.
     fn look(&mut self, site: usize) {
         let sides = if self.land[site] { self.sides(site) } else { 0 };
+        self.length += u64::from(sides);
+        self.length -= self.coast.at(site).map_or(0, |&known| u64::from(known));
+        if let Some(changed) = &mut self.changed {
+            changed.push(site);
+        }
         match self.coast.at_mut(site) {
             _ if sides == 0 => {
                 self.coast.leave(site);
@@ -185,7 +196,7 @@ impl Front {
     pub(super) fn fall(&mut self, sites: &[usize], drive: &Drive) {
         for &site in sites {
             self.land[site] = false;
-            self.coast.leave(site);
+            self.look(site);
         }
         for &site in sites {
             self.near(site).into_iter().flatten().for_each(|n| self.look(n));
@@ -193,10 +204,34 @@ impl Front {
             if let Some(stencil) = &self.stencil
                 && amount > 0.0
             {
-                let material = &mut self.material;
-                stencil.apply(&self.sites, site, |at, weight| material[at] -= amount * weight);
+                let (material, changed) = (&mut self.material, &mut self.changed);
+                stencil.apply(&self.sites, site, |at, weight| {
+                    material[at] -= amount * weight;
+                    changed.iter_mut().for_each(|list| list.push(at));
+                });
             }
         }
+    }
+
+    /// Begins to follow which resistances change; returns the sites of the coast.
+    pub(super) fn follow(&mut self) -> Vec<usize> {
+        self.changed = Some(Vec::new());
+        self.coast.sites()
+    }
+
+    /// Sites whose resistance may have changed since this was last asked.
+    pub(super) fn take_changed(&mut self) -> Vec<usize> {
+        self.changed.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// What a site of the coast resists with; none of a site that is not.
+    pub(super) fn resists(&self, site: usize) -> Option<f64> {
+        self.coast.at(site).map(|&sides| self.resistance(site, sides))
+    }
+
+    /// Length of all coasts over that at the start.
+    pub(super) fn lengthened(&self) -> f64 {
+        self.length as f64 / self.start_length.max(1.0)
     }
 
     fn wraps(&self) -> [bool; 2] {

@@ -19,6 +19,7 @@ use landform_core::units::Ratio;
 
 use super::front::{Drive, Front};
 use super::params::{Exposure, Perimeter, Weakening};
+use super::weakest::Weakest;
 
 /// The erosion that makes level sets.
 pub(super) struct FrontErosion {
@@ -39,6 +40,9 @@ impl FrontErosion {
         let mut front = Front::new(grid, land.to_vec(), material, (self.exposure, self.perimeter), radius, None)?;
         let sites = RasterSites::new(grid, Connectivity::Four)?;
         let amount = self.weakening.map_or(0.0, |w| w.amount);
+        // Where a fall weakens much of the coast, rounds are few and large.
+        let is_slow = amount == 0.0 && matches!(self.perimeter, Perimeter::Whole(_));
+        let mut weakest = is_slow.then(|| Weakest::new(&mut front));
         // Steps from the last level set, in cells, of what fell since then.
         let most = (self.spacing / grid.spacing[0].min(grid.spacing[1])).max(1.0);
         let (mut levels, mut steps) = (vec![0u32; land.len()], vec![0f64; land.len()]);
@@ -47,7 +51,10 @@ impl FrontErosion {
             let current = force;
             let drive =
                 Drive { force: &|_| current, damping: &|_| self.damping.si(), wear: &|_| 0.0, weakening: &|_| amount };
-            let round = front.round(&drive);
+            let round = match &mut weakest {
+                Some(weakest) => weakest.round(&mut front, (current, self.damping.si()), &drive),
+                None => front.round(&drive),
+            };
             if round.fallen.is_empty() {
                 if !round.needed.is_finite() {
                     return Err(Error::parameter("force", self.force, "a force that the coast feels"));

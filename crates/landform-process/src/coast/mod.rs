@@ -60,6 +60,7 @@ mod prune;
 #[cfg(test)]
 mod tests;
 mod trials;
+mod weakest;
 
 use landform_core::field::names;
 use landform_core::random::Seed;

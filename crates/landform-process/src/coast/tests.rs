@@ -433,3 +433,24 @@ fn islands_get_hills_within_their_outline() {
         );
     }
 }
+
+#[test]
+fn the_weakest_sites_fall_as_in_a_round_over_all() {
+    let grid = Grid::new(Shape::new(80, 90), [10.0; 2]).unwrap();
+    for (weakening, damping) in [(None, 0.3), (Some(25.0), 0.1)] {
+        let material = || (0..grid.len()).map(|i| Seed(4).uniform(i as u64)).collect();
+        let kind = (Exposure::Proportional, Perimeter::Whole(Whole::Global));
+        let front = || front::Front::new(&grid, vec![true; grid.len()], material(), kind, weakening, None).unwrap();
+        let (mut all, mut by_heap, mut force) = (front(), front(), 0.2);
+        let mut weakest = weakest::Weakest::new(&mut by_heap);
+        for _ in 0..4000 {
+            let drive = Drive { force: &|_| force, damping: &|_| damping, wear: &|_| 0.0, weakening: &|_| 0.2 };
+            let (a, b) = (all.round(&drive), weakest.round(&mut by_heap, (force, damping), &drive));
+            assert_eq!(a.fallen, b.fallen);
+            assert!(!a.fallen.is_empty() || a.needed == b.needed, "{} {}", a.needed, b.needed);
+            force *= if a.fallen.is_empty() { a.needed.clamp(1.0, 2.0) * (1.0 + 1e-9) } else { 1.0 };
+        }
+        assert!(all.land == by_heap.land && all.material == by_heap.material);
+        assert!(all.land.iter().filter(|l| **l).count() < grid.len() / 2);
+    }
+}
