@@ -1,5 +1,7 @@
 //! Convergence studies, longer than tests may be.
 
+use std::process::Command;
+
 use landform::core::grid::{Edge, Edges, Grid, Shape};
 use landform::core::sim::{Simulation, Stop};
 use landform::core::terrain::{HeightField, NodeSurface};
@@ -11,15 +13,31 @@ use landform::process::uplift::Uplift;
 const U: f64 = 1e-3;
 const K: f64 = 1e-5;
 
-/// Prints the tables.
+/// Prints the tables, and tries what the tests try a little of at length.
 pub(crate) fn run() -> bool {
     match profile().and_then(|()| time_step()) {
-        Ok(()) => true,
+        Ok(()) => {
+            at_length("LANDFORM_HOSTILE", "2000", &["landform", "--test", "hostile"])
+                & at_length("LANDFORM_KILLS", "200", &["landform-cli", "--test", "faults", "killed_at_any_moment"])
+        }
         Err(e) => {
             eprintln!("error: {e}");
             false
         }
     }
+}
+
+/// Runs a test with a variable that makes it long.
+fn at_length(variable: &str, value: &str, test: &[&str]) -> bool {
+    println!("{variable}={value}");
+    let args = ["test", "--quiet", "--package"];
+    Command::new("cargo")
+        .args(args)
+        .args(test)
+        .args(["--", "--nocapture"])
+        .env(variable, value)
+        .status()
+        .is_ok_and(|s| s.success())
 }
 
 fn river(cells: usize, cell: f64) -> Result<HeightField> {

@@ -84,6 +84,39 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
     assert!(odd.is_empty(), "{odd:?}");
 }
 
+/// Kills runs at random moments, resumes each, and compares the files with those of a run that was
+/// left alone. Some in the tests; `cargo xtask validate` sets `LANDFORM_KILLS`.
+#[test]
+fn runs_killed_at_any_moment_go_on_to_the_same_bytes() {
+    let count = std::env::var("LANDFORM_KILLS").ok().and_then(|n| n.parse().ok()).unwrap_or(4);
+    let dir = folder_with(2_000);
+    let begun = std::time::Instant::now();
+    assert!(landform(dir.path(), &["run", "r.toml", "-o", "whole", "-q", "--no-cache"]).status().unwrap().success());
+    let whole = begun.elapsed();
+    let kept = ["t.csv", "f_0001.png", "f_0004.png", "sub/a.tif"];
+    let bytes = |out: &str| kept.map(|file| fs::read(dir.path().join(out).join(file)).unwrap());
+    let wanted = bytes("whole");
+    let mut finished = 0;
+    for k in 0..count {
+        let out = format!("o{k}");
+        let args = ["run", "r.toml", "-o", &out, "-q", "--checkpoint-every", "0 s"];
+        let mut child = landform(dir.path(), &args).spawn().unwrap();
+        // Moments spread over twice the time, since checkpoints take some of it too.
+        let part = (k as f64 * 0.618_033_988_75).fract();
+        std::thread::sleep(whole.mul_f64(2.0 * part));
+        child.kill().unwrap();
+        finished += usize::from(child.wait().unwrap().success());
+        let again = landform(dir.path(), &["run", "r.toml", "-o", &out, "-q", "--resume"]).output().unwrap();
+        assert!(again.status.success(), "kill {k}: {}", said(&again));
+        assert!(bytes(&out) == wanted, "kill {k} at {part:.3} of two runs");
+        let left: Vec<_> =
+            files(&dir.path().join(&out)).into_iter().filter(|f| f.to_string_lossy().contains(".part")).collect();
+        assert!(left.is_empty(), "kill {k}: {left:?}");
+        fs::remove_dir_all(dir.path().join(&out)).unwrap();
+    }
+    println!("{count} kills, {finished} of them after the end");
+}
+
 #[test]
 fn the_time_between_checkpoints_has_a_unit() {
     let dir = folder_with(4);

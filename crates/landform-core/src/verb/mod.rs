@@ -67,7 +67,8 @@ impl Estimate {
     /// Number of nodes of a raster over this extent.
     pub fn raster_nodes(&self, cell_size: f64) -> u64 {
         let count = |e: f64| (e / cell_size).round().max(1.0) + 1.0;
-        (count(self.extent[0]) * count(self.extent[1])) as u64
+        // More than any memory holds, and few enough for sums of bytes.
+        (count(self.extent[0]) * count(self.extent[1])).min(1e15) as u64
     }
 }
 

@@ -64,6 +64,8 @@ landform_core::stages! {
 
 /// Half-widths of the greatest river along the map's longer side.
 const RADII_ACROSS: f64 = 40.0;
+/// Elevations beyond this hold no depths of a micrometre, m.
+const HIGHEST: f64 = 1e9;
 /// Standing water thinner than this does not count, m: heights are less exact than that.
 const FILM: f64 = 1e-6;
 
@@ -138,6 +140,12 @@ impl Process<HeightField> for ChannelErosion {
         };
         let softness = self.softness.resolve("softness", terrain, context)?;
         let standing = vec![0.0; rate.len()];
+        let z = terrain.elevation();
+        let farthest = parallel::max(z.len(), |i| z[i].abs());
+        if farthest > HIGHEST {
+            let allowed = format!("ground within {HIGHEST:e} m of 0 m, where depths of water still count");
+            return Err(Error::parameter("elevation", format!("{farthest:e} m"), &allowed));
+        }
         let (bottom, slope) = bottom_and_slope(terrain);
         let beyond = (self.outlets.is_none() && terrain.chosen_status().is_none()).then_some(slope);
         Ok(State {

@@ -219,6 +219,15 @@ fn the_deeper_of_two_channels_takes_the_others_water() {
 }
 
 #[test]
+fn ground_too_high_for_depths_of_water_is_refused() {
+    let far = field(9, 9, 10.0, Edges::default(), |x, _| 1e18 + 1e6 * x);
+    let run = Simulation::new(far)
+        .process(ChannelErosion::default())
+        .and_then(|sim| sim.dt(YEAR).until(Stop::steps(2)).run());
+    assert!(run.unwrap_err().to_string().contains("1e9 m"));
+}
+
+#[test]
 fn level_ground_stays_level_to_the_bit() {
     let slope = Some(landform_core::units::Ratio::of(0.05));
     for graded_slope in [None, slope] {
