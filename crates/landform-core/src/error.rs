@@ -219,10 +219,12 @@ pub enum Error {
     #[error("{}", all_of(.0))]
     Several(Vec<Error>),
     /// A stage of a recipe failed.
-    #[error("stage {index} (`{name}`): {source}")]
+    #[error("stage {index} (`{name}`{}): {source}", line.map_or(String::new(), |line| format!(", line {line}")))]
     Stage {
         /// Position in the recipe, from 1.
         index: usize,
+        /// Line of the recipe, from 1, where it is known.
+        line: Option<usize>,
         /// The stage's label or name.
         name: String,
         /// What went wrong.

@@ -316,3 +316,27 @@ fn what_is_wrong_with_a_value_set_from_outside_is_said_of_it() {
     let error = Recipe::parse(&wrong, "test", std::path::Path::new("."), &[set]).unwrap_err();
     assert!(matches!(error, landform::core::Error::Recipe { at: Some((3, _)), .. }), "{error:?}");
 }
+
+#[test]
+fn what_fails_in_a_plan_names_its_line() {
+    let flat = "[[stage]]\nuse = \"flat\"\ngrid = { size = [\"2 km\", \"2 km\"], cell_size = \"100 m\" }\n";
+    let cases = [
+        ("[[stage]]\nuse = \"write_raster\"\npath = \"a.tif\"\nfield = \"nonsense\"\n", "line 7", "nonsense"),
+        (
+            "[[stage]]\nuse = \"channel_erosion\"\niterations = 2\nsprings = [{ at = [\"9 km\", \"1 km\"], discharge = \"1 m3/s\" }]\n",
+            "line 7",
+            "a place on the map, 0 to 2000 m east",
+        ),
+        (
+            "[[stage]]\nuse = \"crop\"\nregion = [\"1 km\", \"1 km\", \"2 km\", \"2 km\"]\n\
+             [[stage]]\nuse = \"stream_automaton\"\nsprings = [[\"500 m\", \"500 m\"]]\n",
+            "line 9",
+            "1000 to 2000 m east",
+        ),
+    ];
+    for (text, line, what) in cases {
+        let recipe = Recipe::parse(&format!("{flat}{text}"), "r.toml", Path::new("."), &[]).unwrap();
+        let error = recipe.plan(None, "").unwrap_err().to_string();
+        assert!(error.contains(line) && error.contains(what), "{error}");
+    }
+}

@@ -26,14 +26,15 @@ pub(super) struct Parameters {
     pub(super) leaves: Vec<String>,
     pub(super) reach: Reach,
     pub(super) jitters: bool,
+    pub(super) places: Vec<(&'static str, [f64; 2])>,
 }
 
 impl Parameters {
     pub(super) fn new<P: Params>(params: P) -> Result<Self> {
         let normal = serde_json::to_value(&params).map_err(|e| Error::format("parameters", e))?;
         let (outputs, leaves) = (params.outputs(), params.leaves());
-        let (reach, jitters) = (params.reach(), params.jitters());
-        Ok(Self { value: Arc::new(params), normal, outputs, leaves, reach, jitters })
+        let (reach, jitters, places) = (params.reach(), params.jitters(), params.places());
+        Ok(Self { value: Arc::new(params), normal, outputs, leaves, reach, jitters, places })
     }
 }
 

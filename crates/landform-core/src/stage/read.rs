@@ -63,6 +63,22 @@ impl ReadStage {
         &self.parameters.outputs
     }
 
+    /// Refuses places off a map of known size and corner.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] with the map's corners.
+    pub fn check_places(&self, before: &Estimate) -> Result<()> {
+        let Some([w, s]) = before.origin else { return Ok(()) };
+        let [e, n] = [w + before.extent[0], s + before.extent[1]];
+        match self.parameters.places.iter().find(|(_, [x, y])| !(w..=e).contains(x) || !(s..=n).contains(y)) {
+            Some((name, [x, y])) => {
+                let allowed = format!("a place on the map, {w:.0} to {e:.0} m east and {s:.0} to {n:.0} m north");
+                Err(Error::parameter(name, format!("{x:.0}, {y:.0} m"), &allowed))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// Fields that it leaves.
     pub fn leaves(&self) -> impl Iterator<Item = &str> {
         self.stage.writes.iter().copied().chain(self.parameters.leaves.iter().map(String::as_str))

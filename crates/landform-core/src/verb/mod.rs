@@ -61,6 +61,8 @@ pub struct Estimate {
     pub bytes: u64,
     /// Extent east and north, m.
     pub extent: [f64; 2],
+    /// The south-west corner, m; none if it is not known before a run.
+    pub origin: Option<[f64; 2]>,
 }
 
 impl Estimate {

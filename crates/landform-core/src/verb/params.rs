@@ -50,6 +50,11 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
         Vec::new()
     }
 
+    /// Places east and north (m) that must lie on the map, each with the parameter that names it.
+    fn places(&self) -> Vec<(&'static str, [f64; 2])> {
+        Vec::new()
+    }
+
     /// Fields that a stage leaves that is no process (those have `WRITES`).
     fn leaves(&self) -> Vec<String> {
         Vec::new()

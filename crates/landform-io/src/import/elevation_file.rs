@@ -110,6 +110,7 @@ impl Generator<HeightField> for ElevationFile {
         let grid = self.in_metres(context.maps.grid(Path::new(&self.path))?)?;
         let source = grid.len() as u64;
         let nodes = self.target(&grid)?.map_or(source, |target| target.len() as u64);
-        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent: grid.extent(), ..Estimate::default() })
+        let (origin, extent) = (Some(grid.bounds()[0]), grid.extent());
+        Ok(Estimate { nodes, bytes: source * 20 + nodes * 12, extent, origin, ..Estimate::default() })
     }
 }

@@ -73,8 +73,10 @@ const FILM: f64 = 1e-6;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
     water: Water,
-    /// Water that comes to each node, m/s.
+    /// Water that comes to each node in every round, m/s.
     rate: Vec<f64>,
+    /// Springs that run in some rounds only.
+    timed: Vec<TimedSpring>,
     /// Sinkholes.
     sinks: Vec<bool>,
     softness: Resolved,
@@ -89,6 +91,16 @@ pub struct State {
     off_centres: Option<Seed>,
     #[serde(skip)]
     scratch: Scratch,
+}
+
+/// A spring that runs in some rounds only.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct TimedSpring {
+    node: usize,
+    /// Depth over its node, m/s.
+    rate: f64,
+    /// The first and the last round, counted from 1.
+    rounds: [u64; 2],
 }
 
 #[derive(Clone, Debug, Default)]
@@ -123,8 +135,9 @@ impl Process<HeightField> for ChannelErosion {
             outlets.apply(terrain, 0.0, context)?;
         }
         let domain = terrain.domain();
-        let rate = self.supply(terrain, &domain, context)?;
-        if !(parallel::sum(rate.len(), |i| rate[i]) > 0.0) {
+        let (rate, timed) = self.supply(terrain, &domain, context)?;
+        let always = parallel::sum(rate.len(), |i| rate[i]);
+        if !(always > 0.0 || timed.iter().any(|s| s.rate > 0.0)) {
             return Err(Error::parameter(
                 "rainfall",
                 "no water at all",
@@ -153,6 +166,7 @@ impl Process<HeightField> for ChannelErosion {
             beyond,
             water: Water::new(self, standing, terrain.grid().spacing),
             rate,
+            timed,
             sinks,
             softness,
             sediment: Sediment::of(self, terrain.grid()),
@@ -162,7 +176,13 @@ impl Process<HeightField> for ChannelErosion {
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
-        let State { water, rate, sinks, softness, bottom, beyond, sediment, off_centres, scratch } = state;
+        let now = supply_in(at.index + 1, &state.rate, &state.timed);
+        let rate = &*now;
+        if !(parallel::sum(rate.len(), |i| rate[i]) > 0.0) {
+            // Until a spring begins nothing moves.
+            return Ok(Change::default());
+        }
+        let State { water, sinks, softness, bottom, beyond, sediment, off_centres, scratch, .. } = state;
         let domain = scratch.domain.get_or_insert_with(|| terrain.domain()).clone();
         let carried_before = sediment.as_ref().map_or(0.0, Sediment::under_way);
         let bed = Bed::of(terrain, *off_centres, &domain, &mut scratch.off_centres);
@@ -212,7 +232,7 @@ impl Process<HeightField> for ChannelErosion {
                 .change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += if is_inner(i) { raised } else { 0.0 }));
         }
         let carried = state.sediment.as_ref().map_or(0.0, |s| (s.under_way() - carried_before) * area);
-        self.write_water(terrain, state, &surface)?;
+        self.write_water(terrain, state, rate, &surface)?;
         Ok(Change {
             supplied: raised * inner * area,
             eroded,
@@ -269,8 +289,13 @@ impl ChannelErosion {
         }
     }
 
-    /// Water that comes to each node, m/s.
-    fn supply(&self, terrain: &HeightField, domain: &RasterDomain, context: &Context) -> Result<Vec<f64>> {
+    /// Water that comes to each node in every round, m/s, and springs that run in some.
+    fn supply(
+        &self,
+        terrain: &HeightField,
+        domain: &RasterDomain,
+        context: &Context,
+    ) -> Result<(Vec<f64>, Vec<TimedSpring>)> {
         let rain = self.rainfall.resolve("rainfall", terrain, context)?;
         let (grid, status, area) = (terrain.grid(), domain.status(), terrain.grid().cell_area());
         if let Some(i) = parallel::find_first(status.len(), |i| status[i] != Status::Masked && !(rain.at(i) >= 0.0)) {
@@ -278,6 +303,7 @@ impl ChannelErosion {
             return Err(Error::parameter("rainfall", value, "at least 0 everywhere"));
         }
         let mut rate = parallel::map(status.len(), |i| if status[i] == Status::Masked { 0.0 } else { rain.at(i) });
+        let mut timed = Vec::new();
         for spring in &self.springs {
             let at = spring.at.map(Length::si);
             let node = grid.node_at(at).filter(|&i| status[i] == Status::Interior);
@@ -287,7 +313,10 @@ impl ChannelErosion {
                     format!("a place inside the map ({w:.0} to {e:.0} m, {s:.0} to {n:.0} m), not on its open border");
                 return Err(Error::parameter("springs", format!("one at {:.0}, {:.0} m", at[0], at[1]), &inside));
             };
-            rate[node] += spring.discharge.si() / area;
+            match spring.rounds {
+                Some(rounds) => timed.push(TimedSpring { node, rate: spring.discharge.si() / area, rounds }),
+                None => rate[node] += spring.discharge.si() / area,
+            }
         }
         for inflow in &self.inflow {
             let nodes = inside_of(grid, inflow.side);
@@ -299,12 +328,12 @@ impl ChannelErosion {
                 rate[i] += inflow.discharge.si() / (area * nodes.len() as f64);
             }
         }
-        Ok(rate)
+        Ok((rate, timed))
     }
 
     /// Adds depth, discharge and supply of the water as fields.
-    fn write_water(&self, terrain: &mut HeightField, state: &State, surface: &[f64]) -> Result<()> {
-        let State { water, rate, scratch, .. } = state;
+    fn write_water(&self, terrain: &mut HeightField, state: &State, rate: &[f64], surface: &[f64]) -> Result<()> {
+        let State { water, scratch, .. } = state;
         let z = terrain.elevation();
         let area = terrain.grid().cell_area();
         let whole = parallel::sum(rate.len(), |i| rate[i]) * area;
@@ -323,9 +352,19 @@ impl ChannelErosion {
         let discharge = parallel::map(z.len(), |i| water.flow[i] * whole);
         let fields = terrain.fields_mut();
         fields.insert(&names::WATER_DEPTH, depth)?;
-        fields.insert(&names::WATER_SUPPLY, rate.clone())?;
+        fields.insert(&names::WATER_SUPPLY, rate.to_vec())?;
         fields.insert(&names::DISCHARGE, discharge)
     }
+}
+
+/// What comes to each node in a round, m/s.
+fn supply_in<'a>(round: u64, rate: &'a [f64], timed: &[TimedSpring]) -> Cow<'a, [f64]> {
+    let runs = |s: &&TimedSpring| (s.rounds[0]..=s.rounds[1]).contains(&round);
+    let mut now = Cow::Borrowed(rate);
+    for spring in timed.iter().filter(runs) {
+        now.to_mut()[spring.node] += spring.rate;
+    }
+    now
 }
 
 /// The lowest elevation of a map, and its relief over half its extent.

@@ -46,6 +46,9 @@ pub struct Spring {
     pub at: [Length; 2],
     /// Its discharge.
     pub discharge: Discharge,
+    /// The first and the last round in which it runs, counted from 1. If not given, it runs in all.
+    #[serde(default)]
+    pub rounds: Option<[u64; 2]>,
 }
 
 /// A river that enters over a side.
@@ -74,7 +77,8 @@ pub struct ChannelErosion {
     /// Rain that runs off; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Varying<RateDimension>,
-    /// Springs, each { at = ["1 km", "2 km"], discharge = "2 m3/s" }.
+    /// Springs, each { at = ["1 km", "2 km"], discharge = "2 m3/s" }; with rounds = [50, 80] one runs
+    /// from the 50th to the 80th round only.
     pub springs: Vec<Spring>,
     /// Rivers that enter over sides, each { side = "north", discharge = "5 m3/s" }.
     pub inflow: Vec<Inflow>,
@@ -236,6 +240,10 @@ impl Params for ChannelErosion {
         },
     ];
 
+    fn places(&self) -> Vec<(&'static str, [f64; 2])> {
+        self.springs.iter().map(|s| ("springs", s.at.map(Length::si))).collect()
+    }
+
     fn check(&self) -> Result<()> {
         if self.transport == Transport::AreaMap && (self.sinks.is_some() || self.evaporation.si() > 0.0) {
             let value = if self.sinks.is_some() { "sinks" } else { "evaporation" };
@@ -259,6 +267,10 @@ impl Params for ChannelErosion {
         self.check_pipes()?;
         if self.springs.iter().any(|s| !(s.discharge.si() > 0.0)) {
             return Err(Error::parameter("springs", "without water", "a discharge > 0 m3/s"));
+        }
+        if let Some([first, last]) = self.springs.iter().filter_map(|s| s.rounds).find(|r| r[0] < 1 || r[1] < r[0]) {
+            let allowed = "a first round from 1 on, and a last that is not before it";
+            return Err(Error::parameter("springs", format!("rounds = [{first}, {last}]"), allowed));
         }
         if self.inflow.iter().any(|s| !(s.discharge.si() > 0.0)) {
             return Err(Error::parameter("inflow", "without water", "a discharge > 0 m3/s"));

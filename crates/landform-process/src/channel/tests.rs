@@ -219,6 +219,27 @@ fn the_deeper_of_two_channels_takes_the_others_water() {
 }
 
 #[test]
+fn a_spring_runs_in_its_rounds_only() {
+    let edges = Edges { south: Edge::Open, ..Edges::all(Edge::Closed) };
+    let slope = || field(40, 20, 10.0, edges, |_, y| 80.0 - 2.0 * y);
+    let params = ChannelErosion {
+        rainfall: landform_core::units::Rate::of(0.0).into(),
+        springs: vec![Spring {
+            at: [Length::of(95.0), Length::of(300.0)],
+            discharge: landform_core::units::Discharge::of(1.0),
+            rounds: Some([4, 6]),
+        }],
+        ..ChannelErosion::default()
+    };
+    let change = |from: u64, to: u64| {
+        let (a, b) = (run(slope(), params.clone(), from), run(slope(), params.clone(), to));
+        a.elevation().iter().zip(b.elevation()).map(|(a, b)| a - b).sum::<f64>()
+    };
+    // Before it begins and after it has ended nothing is worn.
+    assert!(change(1, 3) == 0.0 && change(3, 5) > 0.0 && change(6, 20) == 0.0, "{} {}", change(3, 5), change(6, 20));
+}
+
+#[test]
 fn ground_too_high_for_depths_of_water_is_refused() {
     let far = field(9, 9, 10.0, Edges::default(), |x, _| 1e18 + 1e6 * x);
     let run = Simulation::new(far)

@@ -133,6 +133,12 @@ impl Generator<HeightField> for FrontTerrain {
 
     fn estimate(&self, _: &Context) -> Result<Estimate> {
         let nodes = self.grid.grid()?.len() as u64;
-        Ok(Estimate { nodes, bytes: nodes * 260, extent: self.grid.size.map(Length::si), ..Estimate::default() })
+        Ok(Estimate {
+            nodes,
+            bytes: nodes * 260,
+            extent: self.grid.size.map(Length::si),
+            origin: Some([0.0; 2]),
+            ..Estimate::default()
+        })
     }
 }

@@ -75,7 +75,8 @@ impl Edit<HeightField> for Crop {
         let (x, y) = (share(west, east, before.extent[0]), share(south, north, before.extent[1]));
         let nodes = (before.nodes as f64 * x * y).ceil() as u64;
         let extent = [before.extent[0] * x, before.extent[1] * y];
-        Estimate { nodes, bytes: before.nodes * 20 + nodes * 60, extent, ..before }
+        let origin = before.origin.map(|[x, y]| [west.max(x), south.max(y)]);
+        Estimate { nodes, bytes: before.nodes * 20 + nodes * 60, extent, origin, ..before }
     }
 }
 

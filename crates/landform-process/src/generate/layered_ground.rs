@@ -148,7 +148,13 @@ impl Generator<HeightField> for LayeredGround {
     fn estimate(&self, _: &Context) -> Result<Estimate> {
         let nodes = self.grid.grid()?.len() as u64;
         let bytes = nodes * (60 + 24 * self.layers.len() as u64);
-        Ok(Estimate { nodes, bytes, extent: self.grid.size.map(Length::si), ..Estimate::default() })
+        Ok(Estimate {
+            nodes,
+            bytes,
+            extent: self.grid.size.map(Length::si),
+            origin: Some([0.0; 2]),
+            ..Estimate::default()
+        })
     }
 }
 

@@ -84,7 +84,13 @@ fn alone(generator: &impl OnGrid, context: &Context) -> Result<HeightField> {
 fn alone_estimate(generator: &impl OnGrid, context: &Context) -> Result<Estimate> {
     let grid = context.wanted(generator.grid().grid()?)?;
     let (nodes, extent) = (grid.len() as u64, grid.extent());
-    Ok(Estimate { nodes, bytes: 8 * nodes + generator.scratch(nodes), extent, ..Estimate::default() })
+    Ok(Estimate {
+        nodes,
+        bytes: 8 * nodes + generator.scratch(nodes),
+        extent,
+        origin: Some([0.0; 2]),
+        ..Estimate::default()
+    })
 }
 
 /// Makes generators of what is [`OnGrid`], and each a layer of [`Blend`].

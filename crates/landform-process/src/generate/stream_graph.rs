@@ -109,6 +109,12 @@ impl Generator<Mesh> for StreamGraph {
         if !(nodes <= 2.2e7) {
             return Err(Error::parameter("spacing", format!("{nodes:.1e} nodes"), "at most 20 million nodes"));
         }
-        Ok(Estimate { nodes: nodes as u64, bytes: nodes as u64 * 420, extent: [w, h], ..Estimate::default() })
+        Ok(Estimate {
+            nodes: nodes as u64,
+            bytes: nodes as u64 * 420,
+            extent: [w, h],
+            origin: Some([0.0; 2]),
+            ..Estimate::default()
+        })
     }
 }

@@ -85,6 +85,10 @@ impl Params for StreamAutomaton {
         doi: "",
     }];
 
+    fn places(&self) -> Vec<(&'static str, [f64; 2])> {
+        self.springs.iter().map(|at| ("springs", at.map(Length::si))).collect()
+    }
+
     fn check(&self) -> Result<()> {
         if !self.flood && (self.springs.is_empty() || self.spring_steps == 0) {
             return Err(Error::parameter(

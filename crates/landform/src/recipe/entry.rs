@@ -36,6 +36,25 @@ pub(super) struct Entry {
     pub(super) work: Work,
     /// Kind of terrain after it.
     pub(super) kind: Option<Kind>,
+    /// Lines of the recipe, from 1, by key; that of the stage under "".
+    pub(super) lines: Vec<(String, usize)>,
+}
+
+impl Entry {
+    /// The failure of the stage at an index, with the line that is to blame.
+    pub(super) fn failed(&self, index: usize, source: Error) -> Error {
+        if let Error::Stage { .. } = source {
+            return source;
+        }
+        let line_of = |key: &str| self.lines.iter().find(|l| l.0 == key).map(|l| l.1);
+        let key = match &source {
+            Error::MissingField { .. } => Some("field"),
+            source => source.parameter_name().and_then(|name| name.split(['.', '[']).next()),
+        };
+        let name = self.label.clone().unwrap_or(self.name.clone());
+        let line = key.and_then(line_of).or_else(|| line_of(""));
+        Error::Stage { index: index + 1, line, name, source: Box::new(source) }
+    }
 }
 
 /// What a stage of a recipe does.

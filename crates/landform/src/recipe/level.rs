@@ -74,11 +74,9 @@ impl Recipe {
             };
             for part in parts {
                 let stage = part.stage();
-                *part = part.coarser(level.factor()).map_err(|refusal| Error::Stage {
-                    index: index + 1,
-                    name: entry.name.clone(),
-                    source: Box::new(as_error(refusal)),
-                })?;
+                *part = part
+                    .coarser(level.factor())
+                    .map_err(|refusal| self.entries[index].failed(index, as_error(refusal)))?;
                 if stage.verb == Verb::Process && part.own_clock().is_some() {
                     let what = format!(
                         "`{}` counts rounds of cells: what it leaves at level {level} cannot be compared with the whole",

@@ -70,10 +70,13 @@ impl Recipe {
             {
                 current = Clone::clone(known);
             }
-            let fail = |source| Error::Stage { index: index + 1, name: entry.name.clone(), source: Box::new(source) };
+            let fail = |source| entry.failed(index, source);
             self.check_inputs(entry).map_err(fail)?;
             self.check_outputs(entry).map_err(fail)?;
             current.3.pass(entry, &self.environment.materials).map_err(fail)?;
+            if self.window.is_none() {
+                entry.work.parts().iter().try_for_each(|part| part.check_places(&current.0)).map_err(fail)?;
+            }
             let (environment, window) = (&*self.environment, self.window);
             let context = Context { seed: entry.seed, maps: &*self.maps, environment, window, ..Context::default() };
             current.0 = estimate(entry, current.2, current.0, &context).map_err(fail)?;

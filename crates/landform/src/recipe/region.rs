@@ -28,7 +28,7 @@ impl Recipe {
                     on: "region of it".into(),
                     supports: "the whole recipe; --level 1/4 shows it sooner".into(),
                 };
-                return Err(Error::Stage { index: index + 1, name: entry.name.clone(), source: Box::new(source) });
+                return Err(entry.failed(index, source));
             }
             // What is shown of the window needs nothing around it.
             margin = if entry.work.changes_terrain() { margin.plus(reach) } else { margin };

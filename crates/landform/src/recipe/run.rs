@@ -86,14 +86,7 @@ impl Runner<'_> {
         let mut labelled: BTreeMap<&str, Slot> = BTreeMap::new();
         let of = self.recipe.entries.len();
         for (k, (entry, planned)) in self.recipe.entries.iter().zip(&plan.stages).enumerate() {
-            let fail = |source| match source {
-                done @ Error::Stage { .. } => done,
-                source => Error::Stage {
-                    index: k + 1,
-                    name: entry.label.clone().unwrap_or(entry.name.clone()),
-                    source: Box::new(source),
-                },
-            };
+            let fail = |source| entry.failed(k, source);
             if let Some(slot) = entry.from.as_deref().and_then(|f| labelled.get(f)) {
                 current = slot.clone();
             }

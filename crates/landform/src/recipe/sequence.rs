@@ -68,6 +68,7 @@ struct Sequence<'a> {
 impl Sequence<'_> {
     fn add(&mut self, node: &mut Node, counts: &mut BTreeMap<String, usize>) -> Result<(), Mistake> {
         let (reader, span) = (self.reader, node.span.clone());
+        let lines = node.lines(reader.text);
         let Some((name, name_span)) = reader.take_text(node, "use")? else {
             let hint = Some("say which stage it is: use = \"...\"".into());
             return Err(reader.error(&span, "this stage has no `use`", hint).into());
@@ -116,6 +117,7 @@ impl Sequence<'_> {
             from: from.map(|f| f.0),
             with: with.into_iter().map(|w| w.0).collect(),
             kind: self.kind,
+            lines,
             name,
             work,
         });

@@ -31,6 +31,17 @@ pub(super) struct Entry {
 }
 
 impl Node {
+    /// Lines of the text, from 1, of a table under "" and of its keys.
+    pub(super) fn lines(&self, text: &str) -> Vec<(String, usize)> {
+        let entries = match &self.value {
+            Value::Table(entries) => entries.as_slice(),
+            _ => &[],
+        };
+        let own = std::iter::once((String::new(), &self.span));
+        let all = own.chain(entries.iter().map(|e| (e.key.clone(), &e.span)));
+        all.filter(|(_, span)| !span.is_empty()).map(|(key, span)| (key, place(text, span.start).0)).collect()
+    }
+
     /// Reads a whole document.
     pub(super) fn parse(text: &str) -> Result<Self> {
         let document = DeTable::parse(text).map_err(|e| {
