@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 use landform::core::units::YEAR;
 use landform::core::verb::{Outcome, Stopped};
+use landform::io::memory;
 use landform::recipe::Signal;
 use serde_json::json;
 
@@ -84,7 +85,8 @@ impl Reporter {
     pub(crate) fn files(&self, files: &[PathBuf], seconds: f64) {
         let Ok(mut state) = self.state.lock() else { return };
         match self.style {
-            Style::Json => state.tell(&json!({ "event": "done", "files": files, "seconds": seconds })),
+            Style::Json => state
+                .tell(&json!({ "event": "done", "files": files, "seconds": seconds, "peak_bytes": memory::peak() })),
             Style::None => {}
             _ => {
                 for file in files {

@@ -17,6 +17,13 @@ pub fn available() -> Option<u64> {
     free.into_iter().chain(limit.map(|l| l.saturating_sub(taken))).min()
 }
 
+/// Most bytes of memory that this process has held at once, if the system reports it.
+pub fn peak() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
+    line.split_whitespace().next()?.parse::<u64>().ok().map(|k| k * 1024)
+}
+
 /// Refuses what needs more memory than there is.
 ///
 /// # Errors

@@ -26,6 +26,7 @@ pub(super) struct Parameters {
     pub(super) leaves: Vec<String>,
     pub(super) reach: Reach,
     pub(super) jitters: bool,
+    pub(super) bytes_a_node: Option<u64>,
     pub(super) places: Vec<(&'static str, [f64; 2])>,
 }
 
@@ -34,7 +35,8 @@ impl Parameters {
         let normal = serde_json::to_value(&params).map_err(|e| Error::format("parameters", e))?;
         let (outputs, leaves) = (params.outputs(), params.leaves());
         let (reach, jitters, places) = (params.reach(), params.jitters(), params.places());
-        Ok(Self { value: Arc::new(params), normal, outputs, leaves, reach, jitters, places })
+        let bytes_a_node = params.bytes_a_node();
+        Ok(Self { value: Arc::new(params), normal, outputs, leaves, reach, jitters, bytes_a_node, places })
     }
 }
 

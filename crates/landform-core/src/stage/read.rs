@@ -7,8 +7,8 @@ use serde_json::Value as Json;
 
 use super::parameters::{Parameters, Refusal};
 use super::row::{Act, Run, Stage};
-use crate::terrain::{AnyTerrain, Kind, bytes_a_node};
-use crate::verb::{Context, Estimate, Landscape, Output, OwnClock, Params, Reach, coarser};
+use crate::terrain::{AnyTerrain, HeightField, Kind, Terrain, bytes_a_node};
+use crate::verb::{Context, ELEVATIONS, Estimate, Landscape, Output, OwnClock, Params, Reach, coarser};
 use crate::{Error, Result};
 
 /// A stage with its parameters, read once and ready to run.
@@ -127,7 +127,7 @@ impl ReadStage {
         match self.act(kind)?.run {
             Run::Generate { estimate, .. } => estimate(params, context),
             Run::Edit { estimate, .. } | Run::Convert { estimate, .. } => estimate(params, before),
-            _ => Ok(Estimate { bytes: before.nodes * kind.map_or(0, bytes_a_node), ..before }),
+            _ => Ok(Estimate { bytes: before.nodes * bytes_a_node_of(&[self], kind), ..before }),
         }
     }
 
@@ -179,5 +179,15 @@ impl ReadStage {
             }
             _ => Ok(()),
         }
+    }
+}
+
+/// Bytes a node that stages take which run together on a kind of terrain.
+pub fn bytes_a_node_of(parts: &[&ReadStage], kind: Option<Kind>) -> u64 {
+    let measured = parts.iter().map(|part| part.parameters.bytes_a_node);
+    match (kind, measured.sum::<Option<u64>>()) {
+        (Some(HeightField::KIND), Some(own)) => ELEVATIONS + own,
+        (Some(kind), _) => bytes_a_node(kind),
+        (None, _) => 0,
     }
 }

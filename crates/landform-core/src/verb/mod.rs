@@ -74,6 +74,9 @@ impl Estimate {
     }
 }
 
+/// Bytes a node of elevations and what a raster always holds beside them.
+pub const ELEVATIONS: u64 = 16;
+
 /// Makes a terrain.
 pub trait Generator<T: Terrain>: Params {
     /// Makes the terrain.
@@ -100,7 +103,7 @@ pub trait Edit<T: Terrain>: Params {
 
     /// Size and memory after the edit, from those before it.
     fn estimate(&self, before: Estimate) -> Estimate {
-        Estimate { bytes: before.nodes * 110, ..before }
+        Estimate { bytes: before.nodes * (ELEVATIONS + self.bytes_a_node().unwrap_or(94)), ..before }
     }
 }
 

@@ -50,6 +50,12 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
         Vec::new()
     }
 
+    /// Bytes a node of a raster that it takes at its peak beside the elevations, as measured; none
+    /// if that was not measured.
+    fn bytes_a_node(&self) -> Option<u64> {
+        None
+    }
+
     /// Places east and north (m) that must lie on the map, each with the parameter that names it.
     fn places(&self) -> Vec<(&'static str, [f64; 2])> {
         Vec::new()

@@ -75,6 +75,10 @@ impl Params for WriteFeatures {
         &[("rivers", "features"), ("lakes", "features"), ("basins", "features")];
     const SOURCES: &'static [Source] = FeatureSearch::SOURCES;
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(75)
+    }
+
     fn outputs(&self) -> Vec<String> {
         vec![self.path.clone()]
     }

@@ -59,6 +59,10 @@ impl Params for WriteMesh {
     const NAME: &'static str = "write_mesh";
     const SOURCES: &'static [Source] = &[];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(182)
+    }
+
     fn reach(&self) -> Reach {
         Reach::Point
     }

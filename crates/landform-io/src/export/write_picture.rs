@@ -101,6 +101,10 @@ impl Params for WritePicture {
     const NAME: &'static str = "write_picture";
     const SOURCES: &'static [Source] = &[];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(if self.view == ViewKind::Map { 85 } else { 150 })
+    }
+
     fn reach(&self) -> Reach {
         Reach::Point
     }

@@ -49,6 +49,10 @@ impl Params for WriteRaster {
     const NAME: &'static str = "write_raster";
     const SOURCES: &'static [Source] = &[];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(22)
+    }
+
     fn reach(&self) -> Reach {
         Reach::Point
     }

@@ -36,6 +36,10 @@ impl Params for MeasureSummary {
         },
     ];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(73)
+    }
+
     fn outputs(&self) -> Vec<String> {
         vec![self.path.clone()]
     }

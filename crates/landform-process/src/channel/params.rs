@@ -240,6 +240,10 @@ impl Params for ChannelErosion {
         },
     ];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(if self.transport == Transport::Pipes { 205 } else { 255 })
+    }
+
     fn places(&self) -> Vec<(&'static str, [f64; 2])> {
         self.springs.iter().map(|s| ("springs", s.at.map(Length::si))).collect()
     }

@@ -135,7 +135,7 @@ impl Generator<HeightField> for FrontTerrain {
         let nodes = self.grid.grid()?.len() as u64;
         Ok(Estimate {
             nodes,
-            bytes: nodes * 260,
+            bytes: nodes * 135,
             extent: self.grid.size.map(Length::si),
             origin: Some([0.0; 2]),
             ..Estimate::default()

@@ -211,6 +211,10 @@ impl Params for CoastErosion {
         },
     ];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(if self.grain.is_some() { 90 } else { 25 })
+    }
+
     fn check(&self) -> Result<()> {
         self.check_look()?;
         if self.grain.is_some() && matches!(self.perimeter, Perimeter::Sectors { .. }) {

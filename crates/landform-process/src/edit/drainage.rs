@@ -24,6 +24,10 @@ impl Params for Drainage {
         doi: "10.5194/esurf-7-549-2019",
     }];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(48)
+    }
+
     fn leaves(&self) -> Vec<String> {
         let keys = [names::DRAINAGE_AREA.name, names::LAKE_DEPTH.name, names::RECEIVER.name, names::BASIN.name];
         keys.map(String::from).to_vec()

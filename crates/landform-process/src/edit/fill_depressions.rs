@@ -19,6 +19,10 @@ impl Params for FillDepressions {
         title: "Priority-flood: an optimal depression-filling and watershed-labeling algorithm for digital elevation models, Computers & Geosciences 62",
         doi: "10.1016/j.cageo.2013.04.024",
     }];
+
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(30)
+    }
 }
 
 impl<T: NodeSurface> Edit<T> for FillDepressions {

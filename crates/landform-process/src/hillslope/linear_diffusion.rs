@@ -57,6 +57,10 @@ impl Params for LinearDiffusion {
         title: "Analytical theory of erosion, Journal of Geology 68(3)",
         doi: "10.1086/626663",
     }];
+
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(105)
+    }
 }
 
 /// Diffusivity on the nodes, and the matrix as scratch.

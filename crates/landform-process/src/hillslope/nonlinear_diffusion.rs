@@ -73,6 +73,10 @@ impl Params for NonlinearDiffusion {
             doi: "10.1029/2010JF001801",
         },
     ];
+
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(160)
+    }
 }
 
 /// Diffusivity on the nodes.

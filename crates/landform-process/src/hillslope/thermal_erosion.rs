@@ -56,6 +56,10 @@ impl Params for ThermalErosion {
         title: "The synthesis and rendering of eroded fractal terrains, SIGGRAPH 89",
         doi: "10.1145/74333.74337",
     }];
+
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(20)
+    }
 }
 
 /// The angle on the nodes; none if materials have their own.

@@ -144,6 +144,10 @@ impl Params for Snow {
         },
     ];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(62)
+    }
+
     fn check(&self) -> Result<()> {
         if self.wind.is_empty() { Ok(()) } else { Rose::new("wind", &self.wind).map(drop) }
     }

@@ -159,6 +159,10 @@ impl Params for StreamPower {
         },
     ];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(185)
+    }
+
     fn jitters(&self) -> bool {
         self.lattice == Lattice::Jittered
     }

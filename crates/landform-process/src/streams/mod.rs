@@ -85,6 +85,10 @@ impl Params for StreamAutomaton {
         doi: "",
     }];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(65)
+    }
+
     fn places(&self) -> Vec<(&'static str, [f64; 2])> {
         self.springs.iter().map(|at| ("springs", at.map(Length::si))).collect()
     }

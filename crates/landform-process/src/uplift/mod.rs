@@ -64,6 +64,10 @@ impl Params for Uplift {
     const IN_TIME: &'static [&'static str] = &["rate"];
     const SOURCES: &'static [Source] = &[];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(12)
+    }
+
     fn reach(&self) -> Reach {
         self.rate.reach()
     }

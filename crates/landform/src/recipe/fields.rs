@@ -15,6 +15,11 @@ use super::entry::Entry;
 pub(super) struct Known(BTreeSet<String>);
 
 impl Known {
+    /// How many there are, elevations and layers left out.
+    pub(super) fn count(&self) -> u64 {
+        self.0.len() as u64
+    }
+
     /// The names, in order.
     pub(super) fn names(&self) -> Vec<String> {
         let elevation = [names::ELEVATION.name.to_string()];

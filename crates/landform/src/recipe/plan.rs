@@ -1,8 +1,8 @@
 //! The plan of a recipe: its stages, sizes and memory.
 
-use landform_core::stage::Verb;
-use landform_core::terrain::{Kind, bytes_a_node};
-use landform_core::verb::{Context, Estimate, relative_path};
+use landform_core::stage::{Verb, bytes_a_node_of};
+use landform_core::terrain::Kind;
+use landform_core::verb::{Context, ELEVATIONS, Estimate, relative_path};
 use landform_core::{Error, Result};
 
 use super::Recipe;
@@ -20,6 +20,9 @@ pub struct Plan {
     /// Names that the last landscape may have, beside those of its layers.
     pub fields: Vec<String>,
 }
+
+/// Bytes of the program itself.
+const PROGRAM: u64 = 12 << 20;
 
 /// The plan of one stage.
 #[derive(Clone, Debug)]
@@ -73,13 +76,16 @@ impl Recipe {
             let fail = |source| entry.failed(index, source);
             self.check_inputs(entry).map_err(fail)?;
             self.check_outputs(entry).map_err(fail)?;
+            let fields_before = current.3.count();
             current.3.pass(entry, &self.environment.materials).map_err(fail)?;
             if self.window.is_none() {
                 entry.work.parts().iter().try_for_each(|part| part.check_places(&current.0)).map_err(fail)?;
             }
             let (environment, window) = (&*self.environment, self.window);
             let context = Context { seed: entry.seed, maps: &*self.maps, environment, window, ..Context::default() };
+            let held = labelled.values().map(held).sum::<u64>() + fields_before * 8 * current.0.nodes;
             current.0 = estimate(entry, current.2, current.0, &context).map_err(fail)?;
+            current.0.bytes += PROGRAM + held;
             if entry.work.changes_terrain() {
                 let beside = entry.with.iter().filter_map(|label| labelled.get(label)).map(|l| l.1.as_str());
                 let before: Vec<&str> = std::iter::once(current.1.as_str()).chain(beside).collect();
@@ -165,9 +171,20 @@ impl Recipe {
     }
 }
 
+/// What is known of a landscape on the way: size, key, kind, fields.
+type Planned = (Estimate, String, Option<Kind>, Known);
+
+/// Bytes that a landscape holds which a label keeps.
+fn held((size, _, _, known): &Planned) -> u64 {
+    size.nodes * (ELEVATIONS + 8 * known.count())
+}
+
 fn estimate(entry: &Entry, kind: Option<Kind>, before: Estimate, context: &Context) -> Result<Estimate> {
     match &entry.work {
-        Work::Evolve(..) => Ok(Estimate { bytes: before.nodes * entry.kind.map_or(0, bytes_a_node), ..before }),
+        Work::Evolve(..) => {
+            let parts: Vec<_> = entry.work.parts().iter().collect();
+            Ok(Estimate { bytes: before.nodes * bytes_a_node_of(&parts, entry.kind), ..before })
+        }
         Work::Once(stage) => stage.estimate(kind, before, context),
     }
 }

@@ -56,6 +56,10 @@ impl Params for WriteHeightmap {
     const NAME: &'static str = "write_heightmap";
     const SOURCES: &'static [Source] = &[];
 
+    fn bytes_a_node(&self) -> Option<u64> {
+        Some(56)
+    }
+
     fn reach(&self) -> Reach {
         Reach::Point
     }
