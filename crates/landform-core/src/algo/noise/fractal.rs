@@ -2,7 +2,8 @@
 //!
 //! # Sources
 //! Musgrave, in Ebert et al. (2003), *Texturing & Modeling*, chapter 16: fBm, multifractal, hybrid
-//! and ridged multifractal; Pytel's thesis 2.1.5 for noise summing and for ridges as 1 − |noise|.
+//! and ridged multifractal; Pytel (2015), 2.1.5, for noise summing and for ridges as 1 − |noise|; Bell,
+//! appendix, listings `billowNoise` and `ridgeNoise`, for the folded sums.
 //! Octaves are shifted against each other, because gradient noise is zero at every lattice point.
 
 use schemars::JsonSchema;
@@ -22,6 +23,10 @@ pub enum FractalKind {
     Billow,
     /// Sum of 1 - |noise|: sharp ridges with rounded valleys.
     Ridged,
+    /// |Sum of noise|: the valleys of the sum, folded up, with sharp lines along its zeros.
+    FoldedFbm,
+    /// 1 - |sum of noise|: the same upside down, with crests along the zeros.
+    CrestedFbm,
     /// Ridges whose detail grows where they are high already.
     RidgedMultifractal,
     /// Smooth lowlands, rough heights.
@@ -77,7 +82,9 @@ impl Fractal {
     fn add(&self, octave: u32, amplitude: f64, noise: &[f64], weight: &mut [f64], out: &mut [f64]) {
         let each = out.iter_mut().zip(noise).zip(weight);
         match self.kind {
-            FractalKind::Fbm => each.for_each(|((o, n), _)| *o += amplitude * n),
+            FractalKind::Fbm | FractalKind::FoldedFbm | FractalKind::CrestedFbm => {
+                each.for_each(|((o, n), _)| *o += amplitude * n);
+            }
             FractalKind::Billow => each.for_each(|((o, n), _)| *o += amplitude * n.abs()),
             FractalKind::Ridged => each.for_each(|((o, n), _)| *o += amplitude * (1.0 - n.abs())),
             FractalKind::RidgedMultifractal => each.for_each(|((o, n), w)| {
@@ -102,6 +109,8 @@ impl Fractal {
         }
         match self.kind {
             FractalKind::Fbm => out.iter_mut().for_each(|o| *o /= total),
+            FractalKind::FoldedFbm => out.iter_mut().for_each(|o| *o = 2.0 * (*o / total).abs() - 1.0),
+            FractalKind::CrestedFbm => out.iter_mut().for_each(|o| *o = 1.0 - 2.0 * (*o / total).abs()),
             FractalKind::Billow | FractalKind::Ridged | FractalKind::RidgedMultifractal => {
                 out.iter_mut().for_each(|o| *o = 2.0 * *o / total - 1.0);
             }
@@ -140,14 +149,20 @@ mod tests {
             fractal.along(Seed(4), &xs, &ys, &mut out);
             out
         };
-        use FractalKind::{Billow, Fbm, HybridMultifractal, Multifractal, Ridged, RidgedMultifractal};
-        for kind in [Fbm, Billow, Ridged, RidgedMultifractal, HybridMultifractal, Multifractal] {
+        use FractalKind::{
+            Billow, CrestedFbm, Fbm, FoldedFbm, HybridMultifractal, Multifractal, Ridged, RidgedMultifractal,
+        };
+        for kind in [Fbm, FoldedFbm, CrestedFbm, Billow, Ridged, RidgedMultifractal, HybridMultifractal, Multifractal] {
             let values = run(kind);
             let span = values.iter().fold((9.0_f64, -9.0_f64), |r, &v| (r.0.min(v), r.1.max(v)));
             assert!(span.0 > -1.6 && span.1 < 2.5 && span.1 - span.0 > 0.4, "{kind:?} {span:?}");
         }
         let (billow, ridged) = (run(Billow), run(Ridged));
         assert!(billow.iter().zip(&ridged).all(|(b, r)| (b + r).abs() < 1e-12), "one is the other upside down");
+        // Folded along the zeros of the plain sum.
+        let (plain, folded, crested) = (run(Fbm), run(FoldedFbm), run(CrestedFbm));
+        assert!(plain.iter().zip(&folded).all(|(p, f)| (2.0 * p.abs() - 1.0 - f).abs() < 1e-12));
+        assert!(folded.iter().zip(&crested).all(|(f, c)| (f + c).abs() < 1e-12));
         // Rough heights and smooth lowlands: steps grow with elevation.
         let hybrid = run(HybridMultifractal);
         let step = |k: usize| (hybrid[k + 1] - hybrid[k]).abs();
