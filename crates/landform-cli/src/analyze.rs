@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use landform::core::analysis::{Dimension, dimension_by_boxes, dimension_by_divider};
+use landform::core::analysis::{Divider, dimension_by_boxes};
 use landform::core::units::Length;
 use landform::core::verb::{Export, Landscape};
 use landform::io::export::WriteMaps;
@@ -138,17 +138,20 @@ fn run_lines(args: &Args) -> Result<ExitCode, Failure> {
                 "the distance of the points is a fair least step",
             ));
         }
-        let divider = dimension_by_divider(&line.points, least, to);
+        let divider = Divider::along(&line.points, least, to);
         let boxes = dimension_by_boxes(&[&line.points], least, to);
-        let text = |d: &Option<Dimension>| {
-            d.as_ref().map_or("too short".into(), |d| {
-                let (first, last) = (d.points[0].0, d.points[d.points.len() - 1].0);
-                format!("{:.4} (R² {:.4}, {:.3} to {:.3} km)", d.dimension, d.r2, first / 1e3, last / 1e3)
-            })
+        let text = |dimension: f64, r2: f64, points: &[(f64, f64)]| {
+            let end = |point: Option<&(f64, f64)>| point.map_or(f64::NAN, |p| p.0 / 1e3);
+            format!("{dimension:.4} (R² {r2:.4}, {:.3} to {:.3} km)", end(points.first()), end(points.last()))
         };
+        let by_divider = match divider.dimension.zip(divider.r2) {
+            Some((dimension, r2)) => text(dimension, r2, &divider.points),
+            None => format!("none: {}", divider.why.as_deref().unwrap_or("too short")),
+        };
+        let by_boxes = boxes.as_ref().map_or("too short".into(), |d| text(d.dimension, d.r2, &d.points));
         say!("{}: {} points, {:.1} km", line.name, line.points.len(), length / 1e3);
-        say!("  dimension by divider {}", text(&divider));
-        say!("  dimension by boxes   {}", text(&boxes));
+        say!("  dimension by divider {by_divider}");
+        say!("  dimension by boxes   {by_boxes}");
         all.push(serde_json::json!({ "name": line.name, "points": line.points.len(), "length_m": length, "divider": divider, "boxes": boxes }));
     }
     if let Some(path) = &args.json {

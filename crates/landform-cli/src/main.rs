@@ -33,6 +33,7 @@ mod cite;
 mod compare;
 mod completions;
 mod convert;
+mod fit;
 mod ground;
 mod how;
 mod man;
@@ -74,6 +75,18 @@ enum Command {
     Run(run::Args),
     /// Runs a recipe for many seeds and values of keys: a contact sheet and a table of results.
     Vary(vary::Args),
+    /// Finds values of keys with which a number of a recipe's end comes to a target, or is least or
+    /// greatest. Prints a table of all runs and the best values as arguments of `landform run`.
+    ///
+    /// One key: where values at both ends of the range, or at neighbours of five even places, lie
+    /// on both sides of the target, the range is halved again and again; else golden sections close
+    /// in on the best. More keys: a simplex moves towards the best (Nelder and Mead). Ranges above
+    /// 0 whose ends differ ten times or more are gone through by ratios. Nothing is random: the
+    /// same command makes the same runs. Stages before the first key are run once.
+    ///
+    /// A target is reached within a thousandth of it; if it is 0, of the greatest value met. If it
+    /// is not reached, the nearest values are printed, and the command fails.
+    Fit(fit::Args),
     /// Lists the stages, or one stage's parameters with units, defaults, ranges, sources.
     Stages(stages::Args),
     /// Prints the JSON schema of recipes, for editors.
@@ -107,6 +120,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(&args),
         Command::Run(args) => run::run(&args),
         Command::Vary(args) => vary::run(&args),
+        Command::Fit(args) => fit::run(&args),
         Command::Stages(args) => stages::run(&args),
         Command::Schema => schema::run(),
         Command::Cite(args) => cite::run(&args),

@@ -67,15 +67,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         let value = format!("{runs} pictures of {} pixels", args.size);
         return Err(Error::parameter("size", value, "fewer or smaller pictures").into());
     }
-    let cancel = CancelToken::default();
-    let token = cancel.clone();
-    ctrlc::set_handler(move || {
-        if token.is_cancelled() {
-            std::process::exit(130);
-        }
-        token.cancel();
-    })
-    .ok();
+    let cancel = cancelled_by_signal();
     let (rows, failure) = with_threads(args.how.threads, || {
         sweep.run(load, memory::available(), &cancel, |k, row| {
             if !args.how.quiet {
@@ -111,8 +103,22 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     }
 }
 
+/// A token that Ctrl-C cancels; a second one ends the program.
+pub(crate) fn cancelled_by_signal() -> CancelToken {
+    let cancel = CancelToken::default();
+    let token = cancel.clone();
+    ctrlc::set_handler(move || {
+        if token.is_cancelled() {
+            std::process::exit(130);
+        }
+        token.cancel();
+    })
+    .ok();
+    cancel
+}
+
 /// Refuses a file in a folder that does not exist, before the runs start.
-fn check_folder(path: &Path) -> Result<()> {
+pub(crate) fn check_folder(path: &Path) -> Result<()> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     std::fs::metadata(folder).map(drop).map_err(|e| Error::io("write in", folder, e))
 }

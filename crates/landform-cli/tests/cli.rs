@@ -156,6 +156,32 @@ fn rasters_are_converted_and_drawn() {
 }
 
 #[test]
+fn a_value_is_fitted_to_a_target() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.toml"), SMALL).unwrap();
+    let over = ["fit", "r.toml", "--over", "uplift.rate=0.2 mm/yr..0.6 mm/yr"];
+    let fit = |more: &[&str]| landform(dir.path(), &[&over, more].concat());
+    let most = fit(&["--most", "max_m", "--runs", "5", "-o", "t.csv"]);
+    assert!(most.status.success(), "{}", text(&most.stderr));
+    assert_eq!(text(&most.stdout).trim(), "--set \"uplift.rate=0.6 mm/yr\"");
+    let table = text(&std::fs::read(dir.path().join("t.csv")).unwrap());
+    assert!(table.starts_with("seed,uplift.rate,min_m") && table.lines().count() == 6);
+    let far = fit(&["--column", "max_m", "--target", "1e6", "--runs", "3"]);
+    assert!(!far.status.success() && text(&far.stderr).contains("nearest is"), "{}", text(&far.stderr));
+    assert!(text(&far.stdout).contains("--set \"uplift.rate=0.6 mm/yr\""), "the nearest is printed");
+    for (more, message) in [
+        (&["--most", "max"][..], "`max_m`?"),
+        (&["--column", "max_m"], "--target"),
+        (&["--most", "max_m", "--least", "min_m"], "cannot be used with"),
+        (&["--most", "max_m", "--over", "uplift.rate=1..2"], "twice"),
+        (&["--most", "max_m", "--over", "stream_power.talus_angle=20..30"], "talus_angle"),
+    ] {
+        let wrong = fit(more);
+        assert!(!wrong.status.success() && text(&wrong.stderr).contains(message), "{}", text(&wrong.stderr));
+    }
+}
+
+#[test]
 fn a_recipe_is_varied_over_seeds_and_keys() {
     let dir = tempfile::tempdir().unwrap();
     std::fs::write(dir.path().join("r.toml"), SMALL).unwrap();

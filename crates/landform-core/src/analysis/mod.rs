@@ -18,7 +18,7 @@ mod waters;
 
 pub use card::{CardLine, Verdict, report_card, verdict};
 pub use coast::{
-    Coast, Dimension, box_counts, coast, dimension_by_boxes, dimension_by_divider, divider_steps, project,
+    Coast, Dimension, Divider, box_counts, coast, dimension_by_boxes, dimension_by_divider, divider_steps, project,
 };
 pub use compare::{Comparison, compare};
 pub use directions::{Directions, Gate, directions, directions_of};

@@ -24,6 +24,7 @@ mod write_heightmap;
 mod write_maps;
 mod write_mesh;
 mod write_picture;
+mod write_povray;
 mod write_raster;
 mod write_report;
 
@@ -33,6 +34,7 @@ pub use write_heightmap::{Preset, WriteHeightmap};
 pub use write_maps::WriteMaps;
 pub use write_mesh::{MeshSurface, WriteMesh};
 pub use write_picture::{ViewKind, WritePicture};
+pub use write_povray::WritePovray;
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
 
@@ -46,5 +48,6 @@ landform_core::stages! {
     export WriteMaps where HeightField, Mesh;
     export WriteMesh where HeightField, Mesh, VoxelGrid;
     export WritePicture where HeightField, Mesh;
+    export WritePovray where HeightField, Mesh;
     export WriteReport where HeightField, Mesh;
 }

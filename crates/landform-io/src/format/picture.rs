@@ -79,8 +79,13 @@ pub(super) fn write_png(file: &RasterFile) -> Result<Vec<u8>> {
     if let Some(bytes) = classes(file) {
         return encode(&bytes, file.grid.shape, png::ColorType::Grayscale, png::BitDepth::Eight);
     }
-    let samples: Vec<u8> = quantize(file).into_iter().flat_map(u16::to_be_bytes).collect();
-    encode(&samples, file.grid.shape, png::ColorType::Grayscale, png::BitDepth::Sixteen)
+    encode_grey(&quantize(file), file.grid.shape)
+}
+
+/// Grey of 16 bits as PNG.
+pub(crate) fn encode_grey(samples: &[u16], shape: Shape) -> Result<Vec<u8>> {
+    let bytes: Vec<u8> = samples.iter().flat_map(|v| v.to_be_bytes()).collect();
+    encode(&bytes, shape, png::ColorType::Grayscale, png::BitDepth::Sixteen)
 }
 
 pub(super) fn write_pgm(file: &RasterFile) -> Result<Vec<u8>> {
@@ -94,6 +99,15 @@ pub(super) fn write_pgm(file: &RasterFile) -> Result<Vec<u8>> {
 }
 
 /// A picture of 8-bit red, green, blue as PNG.
+///
+/// ```
+/// use landform_core::grid::Shape;
+/// use landform_io::format::{encode_png, read_grey};
+///
+/// let bytes = encode_png(&[[0; 3], [255; 3]], Shape::new(1, 2))?;
+/// assert_eq!(read_grey(&bytes)?.values, [0.0, 1.0]);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 ///
 /// # Errors
 /// [`Error::Format`] if the pixels do not fit the shape.

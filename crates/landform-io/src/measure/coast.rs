@@ -9,7 +9,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Measures the coast at a level: its length, its islands, and its fractal dimension by divider and
-/// boxes.
+/// boxes. Where the divider's steps span less than a decade its dimension is null, and `why` says
+/// so.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MeasureCoast {

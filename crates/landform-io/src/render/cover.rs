@@ -15,7 +15,7 @@ pub(super) struct Cover {
     cell: f64,
 }
 
-const SAND: u32 = 0xd9b482;
+pub(crate) const SAND: u32 = 0xd9b482;
 const GRAVEL: u32 = 0x9c8567;
 const SNOW: u32 = 0xe9edf3;
 /// Depth of soil that hides rock, m.

@@ -18,6 +18,7 @@
 mod colour;
 mod cover;
 mod drawing;
+pub(crate) mod ground;
 mod label;
 mod light;
 mod map;
@@ -30,6 +31,7 @@ use serde::{Deserialize, Serialize};
 pub use colour::Ramp;
 pub use drawing::{Waters, waters};
 pub use map::{MapStyle, difference_map, field_map, shaded_map, value_picture};
+pub(crate) use perspective::BlockView;
 pub use perspective::{Standpoint, View, perspective};
 
 /// A picture: 8-bit red, green, blue, row-major from the top.

@@ -279,16 +279,22 @@ pub(super) fn coast(m: &Metrics) -> String {
         row("Land", &format!("{:.1}", 100.0 * c.land_share), "% of the map"),
     ];
     let mut series = Vec::new();
-    for (name, d) in [("divider", &c.divider), ("boxes", &c.boxes)] {
-        if let Some(d) = d {
+    let divider = c.divider.dimension.zip(c.divider.r2);
+    let boxes = c.boxes.as_ref().map(|d| (d.dimension, d.r2));
+    let points = c.boxes.as_ref().map_or(&[][..], |d| &d.points);
+    for (name, found, points) in [("divider", divider, &c.divider.points[..]), ("boxes", boxes, points)] {
+        if let Some((dimension, r2)) = found {
             rows.push(row(
                 &format!("Dimension by {name}"),
-                &format!("{:.3}", d.dimension),
-                &format!("R² {:.4}; real coasts: South Africa 1.02, Britain's west 1.25, Norway 1.52", d.r2),
+                &format!("{dimension:.3}"),
+                &format!("R² {r2:.4}; real coasts: South Africa 1.02, Britain's west 1.25, Norway 1.52"),
             ));
-            let points = d.points.iter().map(|p| (math::log10(p.0), math::log10(p.1))).collect();
+            let points = points.iter().map(|p| (math::log10(p.0), math::log10(p.1))).collect();
             series.push(named(name, if name == "boxes" { Style::Dots } else { Style::Line }, points));
         }
+    }
+    if let Some(why) = c.divider.why.as_ref().filter(|_| c.lines > 0) {
+        rows.push(row("Dimension by divider", "none", why));
     }
     let plot = Plot {
         title: "Steps and boxes against their size",

@@ -1,19 +1,14 @@
 //! The same recipe many times: seeds, and values of keys.
 
-use std::sync::Arc;
-use std::time::Instant;
-
-use landform_core::analysis::{Hypsometry, SlopeArea, Summary};
 use landform_core::grid::Shape;
-use landform_core::terrain::{AnyTerrain, Body, Surface, Visit, not_a_surface};
-use landform_core::verb::{CancelToken, Landscape, Measure, MemoryOutput, Outcome};
-use landform_core::{Error, Result, parallel};
+use landform_core::verb::CancelToken;
+use landform_core::{Error, Result};
 use landform_io::export::WritePicture;
-use landform_io::measure::{MeasureSummary, Measured};
 use landform_io::render::Picture;
 
+use super::runs::{Row, Runs};
 use super::watch::draw;
-use super::{Cache, Options, Outputs, Override, Ran, Recipe};
+use super::{Override, Recipe};
 
 /// A key and the values that it takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,34 +70,8 @@ pub struct Sweep {
     pub keep: bool,
 }
 
-/// One run of a sweep.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Seed.
-    pub seed: u64,
-    /// Values, in the order of the keys.
-    pub values: Vec<String>,
-    /// How the last processes ended, if there were any.
-    pub outcome: Option<Outcome>,
-    /// Elevations and slopes.
-    pub summary: Summary,
-    /// Hypsometry: the area of ground at each height.
-    pub hypsometry: Hypsometry,
-    /// Slope against drainage area.
-    pub slope_area: SlopeArea,
-    /// Numbers of the recipe's measures: the stage's label or name and the path of the number, and
-    /// its value.
-    pub measures: Vec<(String, f64)>,
-    /// Wall-clock time, s.
-    pub seconds: f64,
-    /// The landscape, if it was to be kept.
-    pub terrain: Option<Arc<AnyTerrain>>,
-}
-
 /// Greatest number of runs of a sweep.
 const MOST_RUNS: usize = 10_000;
-/// Bytes of terrains that runs share.
-const MOST_MEMORY: u64 = 1 << 30;
 
 impl Sweep {
     /// Seeds and values of every run.
@@ -152,94 +121,10 @@ impl Sweep {
     ) -> Result<(Vec<Row>, Option<Error>)> {
         let own = load(&[])?;
         let runs = self.runs(own.seed)?;
-        let recipes =
-            runs.iter().map(|(seed, values)| load(&self.overrides(*seed, values)?)).collect::<Result<Vec<_>>>()?;
-        if let Some(kind) = own.entries.last().and_then(|entry| entry.kind).filter(|kind| !kind.is_surface()) {
-            return Err(not_a_surface(kind, "the table of a sweep"));
-        }
-        let mut bytes = 0;
-        for recipe in &recipes {
-            bytes = recipe.plan(None, "")?.bytes.max(bytes);
-        }
-        let room = memory.map_or(usize::MAX, |m| (m / bytes.max(1)) as usize);
-        let at_once = room.clamp(1, parallel::threads());
-        // Stages before the first that is varied are run once.
-        let cache = Cache::in_memory(memory.map_or(MOST_MEMORY, |m| (m / 8).min(MOST_MEMORY)));
-        let mut rows = Vec::with_capacity(runs.len());
-        for first in (0..runs.len()).step_by(at_once) {
-            let batch = parallel::run_all((first..(first + at_once).min(runs.len())).collect(), |k: usize| {
-                let row = self.one(&recipes[k], &runs[k], &cache, cancel)?;
-                done(k, &row);
-                Ok(row)
-            });
-            for row in batch {
-                match row {
-                    Ok(row) => rows.push(row),
-                    Err(e) => return Ok((rows, Some(e))),
-                }
-            }
-        }
-        Ok((rows, None))
-    }
-
-    /// One run; an error says which.
-    fn one(&self, recipe: &Recipe, run: &(u64, Vec<String>), cache: &Cache, cancel: &CancelToken) -> Result<Row> {
-        let row = one(recipe, run, cache, cancel).map_err(|e| match e {
-            Error::Interrupted => e,
-            e => {
-                let values = self.over.iter().zip(&run.1).map(|(o, v)| format!(", {}={v}", o.key));
-                let what = format!("seed {}{}: {e}", run.0, values.collect::<String>());
-                Error::Recipe { at: None, what, hint: e.hint() }
-            }
-        })?;
-        Ok(if self.keep { row } else { Row { terrain: None, ..row } })
-    }
-
-    fn overrides(&self, seed: u64, values: &[String]) -> Result<Vec<Override>> {
-        let mut overrides = vec![Override::parse(&format!("seed={seed}"))?];
-        for (over, value) in self.over.iter().zip(values) {
-            overrides.push(Override::parse(&format!("{}={value}", over.key))?);
-        }
-        Ok(overrides)
-    }
-}
-
-fn one(recipe: &Recipe, (seed, values): &(u64, Vec<String>), cache: &Cache, cancel: &CancelToken) -> Result<Row> {
-    let started = Instant::now();
-    let options =
-        Options { cache: Some(cache), cancel: cancel.clone(), outputs: Outputs::Measures, ..Options::default() };
-    let mut told = MemoryOutput::default();
-    let Ran::ToTheEnd(terrain, history) = recipe.run(&mut told, &options)? else {
-        return Err(Error::Interrupted);
-    };
-    let seconds = started.elapsed().as_secs_f64();
-    let Measured { summary, hypsometry, slope_area, .. } = terrain.visit(Summing)?;
-    let outcome = history.iter().rev().find_map(|e| e.outcome);
-    let (terrain, measures) = (Some(terrain), recipe.numbers(&told));
-    Ok(Row {
-        measures,
-        seed: *seed,
-        values: values.clone(),
-        outcome,
-        summary,
-        hypsometry,
-        slope_area,
-        seconds,
-        terrain,
-    })
-}
-
-/// The numbers of a run's end.
-struct Summing;
-
-impl Visit for Summing {
-    type Out = Result<Measured>;
-    fn surface<T: Surface>(self, terrain: &T) -> Result<Measured> {
-        MeasureSummary::default().measure(&Landscape::plain(terrain))
-    }
-
-    fn body<T: Body>(self, _: &T) -> Self::Out {
-        Err(not_a_surface(T::KIND, "the table of a sweep"))
+        let keys = self.over.iter().map(|over| over.key.clone()).collect();
+        let mut together = Runs::new(keys, &own, load, memory, cancel)?;
+        together.keep = self.keep;
+        together.rows(&runs, done)
     }
 }
 

@@ -8,8 +8,67 @@
 //! # Sources
 //! Richardson (1961); Mandelbrot (1967).
 
+use serde::{Deserialize, Serialize};
+
 use super::{Dimension, extent, length};
 use crate::math;
+
+/// Ratio of the greatest step to the least from which steps say something about a dimension.
+const DECADE: f64 = 10.0;
+
+/// What a divider tells of a line: its dimension, or why it tells none.
+///
+/// ```
+/// use landform_core::analysis::Divider;
+///
+/// let line: Vec<[f64; 2]> = (0..=900).map(|k| [f64::from(k), 0.0]).collect();
+/// let straight = Divider::along(&line, 4.0, f64::INFINITY);
+/// assert!((straight.dimension.unwrap_or(0.0) - 1.0).abs() < 0.01 && straight.why.is_none());
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Divider {
+    /// Minus the slope of log count on log step, the dimension; none if the steps span less than a
+    /// decade.
+    pub dimension: Option<f64>,
+    /// R² of the straight line; none with fewer than four steps.
+    pub r2: Option<f64>,
+    /// Least step that was walked, m.
+    pub least_step: Option<f64>,
+    /// Greatest step that was walked, m.
+    pub greatest_step: Option<f64>,
+    /// Why there is no dimension.
+    pub why: Option<String>,
+    /// (step in m, count).
+    pub points: Vec<(f64, f64)>,
+}
+
+impl Divider {
+    /// Walks along a line with steps from `least` to a quarter of its extent, or `most` (m).
+    ///
+    /// ```
+    /// use landform_core::analysis::Divider;
+    ///
+    /// let short = Divider::along(&[[0.0, 0.0], [90.0, 0.0]], 4.0, f64::INFINITY);
+    /// assert!(short.dimension.is_none() && short.why.is_some());
+    /// assert_eq!(short.least_step, Some(4.0));
+    /// ```
+    pub fn along(points: &[[f64; 2]], least: f64, most: f64) -> Self {
+        let points = walks(points, least, most);
+        let (first, last) = (points.first().map(|p| p.0), points.last().map(|p| p.0));
+        let fit = Dimension::of(points.clone());
+        let span = first.zip(last).map(|(first, last)| last / first);
+        let why = match span {
+            Some(span) if fit.is_some() && span >= DECADE => None,
+            None => Some("no step fits: the line is too short".to_string()),
+            Some(span) => {
+                let decades = math::log10(span);
+                Some(format!("steps span {decades:.2} decades; a dimension needs 1: a longer line or finer points"))
+            }
+        };
+        let dimension = fit.as_ref().filter(|_| why.is_none()).map(|fit| fit.dimension);
+        Self { dimension, r2: fit.map(|fit| fit.r2), least_step: first, greatest_step: last, why, points }
+    }
+}
 
 /// Number of steps of length `step` along a line.
 pub fn divider_steps(points: &[[f64; 2]], step: f64) -> f64 {
@@ -60,11 +119,16 @@ fn leaves(centre: [f64; 2], a: [f64; 2], b: [f64; 2], radius: f64, from: f64) ->
 /// fewer than four steps fit, or `least` is so small that a walk would take more than ten million
 /// steps.
 pub fn dimension_by_divider(points: &[[f64; 2]], least: f64, most: f64) -> Option<Dimension> {
+    Dimension::of(walks(points, least, most))
+}
+
+/// Steps and their counts; none where a walk would take too long.
+fn walks(points: &[[f64; 2]], least: f64, most: f64) -> Vec<(f64, f64)> {
     if !(least > 1e-7 * length(points)) {
-        return None;
+        return Vec::new();
     }
     // Beyond a quarter of the extent a walk has too few steps to say anything.
     let most = if most.is_finite() { most * (1.0 + 1e-9) } else { 0.25 * extent(points.iter()) };
     let sizes = (0..).map(|k| least * math::pow(2.0, 0.5 * f64::from(k))).take_while(|s| *s <= most);
-    Dimension::of(sizes.map(|s| (s, divider_steps(points, s))).filter(|p| p.1 >= 1.0).collect())
+    sizes.map(|s| (s, divider_steps(points, s))).filter(|p| p.1 >= 1.0).collect()
 }

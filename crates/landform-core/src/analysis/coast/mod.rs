@@ -13,7 +13,7 @@ mod project;
 use serde::{Deserialize, Serialize};
 
 pub use boxes::{box_counts, dimension_by_boxes};
-pub use divider::{dimension_by_divider, divider_steps};
+pub use divider::{Divider, dimension_by_divider, divider_steps};
 pub use project::project;
 
 use crate::algo::isoline::{Isoline, isolines};
@@ -59,8 +59,8 @@ pub struct Coast {
     pub largest: Vec<f64>,
     /// Share of the ground that is land.
     pub land_share: f64,
-    /// Dimension of the longest line by the divider; none if it is too short.
-    pub divider: Option<Dimension>,
+    /// The longest line by the divider: its dimension, or why there is none.
+    pub divider: Divider,
     /// Dimension of all lines by counting boxes.
     pub boxes: Option<Dimension>,
 }
@@ -106,7 +106,7 @@ pub fn coast(grid: &Grid, z: &[f64], level: f64) -> (Coast, Vec<Isoline>) {
         islands,
         largest: areas,
         land_share: land / ground,
-        divider: longest.and_then(|k| dimension_by_divider(&lines[k].points, 4.0 * cell, f64::INFINITY)),
+        divider: Divider::along(longest.map_or(&[], |k| &lines[k].points), 4.0 * cell, f64::INFINITY),
         boxes: dimension_by_boxes(&all, 2.0 * cell, f64::INFINITY),
     };
     (coast, lines)

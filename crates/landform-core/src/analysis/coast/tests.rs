@@ -68,10 +68,39 @@ fn a_round_island_has_its_area_and_coast() {
     assert_eq!((c.islands, c.lines), (1, 1));
     assert!((c.largest[0] / (std::f64::consts::PI * 250_000.0) - 1.0).abs() < 0.01);
     assert!((c.length / (std::f64::consts::PI * 1000.0) - 1.0).abs() < 0.01);
-    // A ring is no line, but nearly.
-    assert!((c.divider.unwrap().dimension - 1.0).abs() < 0.03);
+    // A quarter of its extent is six times the least step.
+    assert!(c.divider.dimension.is_none() && c.divider.why.as_ref().is_some_and(|why| why.contains("0.75 decades")));
     let (nothing, _) = coast(&grid, &z, 1e4);
-    assert!(nothing.islands == 0 && nothing.divider.is_none() && nothing.length == 0.0);
+    assert!(nothing.islands == 0 && nothing.divider.dimension.is_none() && nothing.length == 0.0);
+}
+
+#[test]
+fn a_divider_refuses_less_than_a_decade_of_steps() {
+    let expected = math::log(4.0) / math::log(3.0);
+    let side = |times: u32| 1.0 / math::powi(3.0, times);
+    let fine = Divider::along(&koch(7), 4.0 * side(7), f64::INFINITY);
+    assert!((fine.dimension.unwrap() - expected).abs() < 0.02 && fine.r2.unwrap() > 0.99, "{fine:?}");
+    let span = fine.greatest_step.unwrap() / fine.least_step.unwrap();
+    assert!(span >= 10.0 && fine.why.is_none());
+    // Half a decade.
+    let coarse = Divider::along(&koch(4), 4.0 * side(4), f64::INFINITY);
+    assert!(coarse.dimension.is_none() && coarse.why.as_ref().is_some_and(|why| why.contains("decades")), "{coarse:?}");
+    assert!(coarse.least_step.is_some() && coarse.greatest_step.is_some());
+    let json = serde_json::to_value(&coarse).unwrap();
+    assert!(json["dimension"].is_null() && json["why"].is_string());
+    let none = Divider::along(&[], 1.0, f64::INFINITY);
+    assert!(none.dimension.is_none() && none.r2.is_none() && none.why.is_some());
+}
+
+#[test]
+fn a_wide_round_island_has_a_smooth_coast() {
+    let grid = Grid::new(Shape::new(401, 401), [5.0, 5.0]).unwrap();
+    let z: Vec<f64> =
+        (0..grid.len()).map(|i| grid.position(i)).map(|[x, y]| 900.0 - math::hypot(x - 1000.0, y - 1000.0)).collect();
+    let divider = coast(&grid, &z, 0.0).0.divider;
+    // A ring is no line, but nearly.
+    assert!((divider.dimension.unwrap() - 1.0).abs() < 0.03 && divider.r2.unwrap() > 0.999, "{divider:?}");
+    assert_eq!(divider.least_step, Some(20.0));
 }
 
 #[test]

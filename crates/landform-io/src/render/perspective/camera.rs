@@ -22,18 +22,17 @@ pub(super) struct Camera {
 }
 
 impl Camera {
-    /// One that sees the whole block, from outside.
-    pub(super) fn before(scene: &Scene, view: &View) -> Self {
+    /// One that sees the whole block, from outside: all points of its outline. Its sides and its
+    /// lowest ground are a start.
+    pub(super) fn before(outline: &[Vector], [w, h]: [f64; 2], low: f64, view: &View) -> Self {
         let aspect = view.width as f64 / view.height as f64;
         let half_height = math::tan(0.5 * FIELD_OF_VIEW.to_radians());
-        let [w, h] = scene.extent;
-        let centre = [0.5 * w, 0.5 * h, scene.low];
+        let centre = [0.5 * w, 0.5 * h, low];
         let (ct, st) = (math::cos(view.tilt), math::sin(view.tilt));
         let back = [math::sin(view.from) * ct, math::cos(view.from) * ct, st];
         let forward = scale(back, -1.0);
         let right = normalize(cross(forward, [0.0, 0.0, 1.0]));
         let up = cross(right, forward);
-        let outline = scene.outline();
         // Step by step: put the middle of what is seen in the middle of the frame, then stand as
         // near as it fits.
         let (mut aim, mut distance) = (centre, 3.0 * (w + h));

@@ -11,6 +11,8 @@
 //! From a standpoint the land goes on beyond the map, as if mirrors stood at its sides, or as the
 //! sea; air takes away what is far.
 
+mod block;
+mod block_view;
 mod camera;
 mod paint;
 mod scene;
@@ -26,6 +28,7 @@ use landform_core::terrain::{HeightField, Refine};
 
 use super::Picture;
 use super::colour::{Rgb, scale, to_srgb};
+pub(crate) use block_view::BlockView;
 use camera::Camera;
 use scene::Scene;
 
@@ -103,7 +106,7 @@ pub fn perspective(field: &HeightField, view: &View) -> Picture {
     let field = as_fine_as_seen(field, view);
     let scene = Scene::new(&field, view);
     let camera = match &view.standpoint {
-        None => Camera::before(&scene, view),
+        None => Camera::before(&scene.outline(), scene.extent, scene.low, view),
         Some(standpoint) => Camera::within(&scene, view, standpoint),
     };
     let angle = camera.pixel_angle(view.height);
@@ -169,7 +172,7 @@ mod tests {
         for from in [0.0, 1.0, 2.5, 4.0] {
             let view = View { width: 160, height: 90, from, ..View::default() };
             let scene = Scene::new(&field, &view);
-            let camera = Camera::before(&scene, &view);
+            let camera = Camera::before(&scene.outline(), scene.extent, scene.low, &view);
             for point in scene.outline() {
                 let d = sub(point, camera.at);
                 let far = dot(d, camera.forward) * camera.half_height;

@@ -9,7 +9,7 @@ use landform_core::terrain::HeightField;
 
 use crate::render::colour::{Rgb, blend, from_oklab, hex, to_oklab};
 use crate::render::cover::Cover;
-use crate::render::waters;
+use crate::render::{ground, waters};
 
 /// Colours of the ground: each a pair between which patches vary, in Oklab, so that a node's colour
 /// is a few plain means.
@@ -26,11 +26,11 @@ impl Inks {
     fn new() -> Self {
         let ink = |code: u32| to_oklab(hex(code));
         Self {
-            meadow: [ink(0x59693c), ink(0x7d7d50)],
-            heath: [ink(0x7a7056), ink(0x92856c)],
-            forest: [ink(0x2f3f28), ink(0x465634)],
-            rock: [ink(0x7d736a), ink(0x9d948a)],
-            snow: ink(0xdfe4ea),
+            meadow: ground::MEADOW.map(ink),
+            heath: ground::HEATH.map(ink),
+            forest: ground::FOREST.map(ink),
+            rock: ground::ROCK.map(ink),
+            snow: ink(ground::SNOW),
             river: ink(0x35617f),
         }
     }
@@ -48,7 +48,7 @@ pub(super) struct Paint {
 
 impl Paint {
     pub(super) fn new(field: &HeightField, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
-        let low = if lo < 0.0 && hi > 0.0 { 0.0 } else { lo };
+        let low = ground::low_land(lo, hi);
         Self {
             inks: Inks::new(),
             river: waters(field).river,
@@ -80,7 +80,9 @@ impl Paint {
         let mean = |a: Rgb, b: Rgb, t: f64| blend(a, b, t.clamp(0.0, 1.0));
         let patched = |[a, b]: [Rgb; 2], strength: f64| mean(a, b, 0.5 + strength * patch);
         let Inks { meadow, heath, forest, rock, snow: white, river: blue } = &self.inks;
-        let mut colour = mean(patched(*meadow, 0.8), patched(*heath, 0.7), math::smoothstep(0.18, 0.55, height));
+        let ([heath_from, heath_to], [rock_from, rock_to]) = (ground::HEATH_BEGINS, ground::ROCK_BEGINS);
+        let mut colour =
+            mean(patched(*meadow, 0.8), patched(*heath, 0.7), math::smoothstep(heath_from, heath_to, height));
         if !self.cover.is_desert() {
             // Trees like the shade, and leave heights and the steepest ground.
             let stands = fbm(Seed(5), 90.0 * x / size, 90.0 * y / size, 4, 2.1, 0.6);
@@ -89,12 +91,11 @@ impl Paint {
             let share = math::smoothstep(0.3, 0.6, room - math::smoothstep(0.75, 1.2, slope));
             colour = mean(colour, patched(*forest, 0.8), 0.9 * share);
         }
-        let steep = math::smoothstep(0.30, 0.75, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0));
+        let steep = math::smoothstep(rock_from, rock_to, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0));
         colour = mean(colour, patched(*rock, 0.8), steep);
-        // The lower the land, the nearer to its top the snow begins.
-        let line = math::lerp(1.1, 0.72, math::smoothstep(800.0, 1800.0, self.relief / self.exaggeration));
-        let snow =
-            math::smoothstep(line - 0.02, line + 0.1, height) * (1.0 - math::smoothstep(0.7, 1.2, slope + 0.2 * patch));
+        let line = ground::snow_line(self.relief / self.exaggeration);
+        let snow = math::smoothstep(line - 0.02, line + 0.1, height)
+            * (1.0 - math::smoothstep(ground::SNOW_ENDS[0], ground::SNOW_ENDS[1], slope + 0.2 * patch));
         colour = mean(colour, *white, snow);
         let river = self.river[i];
         if river > 0.45 {

@@ -8,14 +8,15 @@ use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{math, parallel};
 
 use super::View;
+use super::block;
 use super::paint::Paint;
 use super::sky::Sky;
 use super::vector::{Vector, along, dot, normalize};
 use crate::render::colour::{Rgb, blend, hex, mix, scale};
 use crate::render::cover::cut;
+use crate::render::ground::{CUT, DEEP};
 use crate::render::light::{sky_view, sun_view};
 use crate::render::pyramid::Pyramid;
-use crate::render::waters;
 
 const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
 const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];
@@ -25,8 +26,6 @@ const HAZE: f64 = 0.35;
 const CLEAR_AIR: f64 = 24_000.0;
 /// Water is all that one sees where it is so deep, m.
 const CLEAR: f64 = 0.9;
-/// Deep water.
-const DEEP: u32 = 0x1f4e6b;
 
 /// All values of a node that shading needs.
 #[derive(Clone, Copy, Default)]
@@ -92,36 +91,19 @@ struct Around {
     clear: f64,
 }
 
-/// Blocks along a side whose highest points the frame must hold.
-const FRAMED: usize = 96;
-
 impl<'a> Scene<'a> {
-    /// Points that the frame must hold: the corners of the foot, and the highest point of every
-    /// part of the surface.
+    /// Points that the frame must hold.
     pub(super) fn outline(&self) -> Vec<Vector> {
-        let Shape { rows, cols } = self.shape;
-        let [w, h] = self.extent;
-        let mut points = vec![[0.0, 0.0, self.foot], [w, 0.0, self.foot], [0.0, h, self.foot], [w, h, self.foot]];
-        let step = (rows.max(cols) / FRAMED).max(1);
-        for (r, c) in (0..rows).step_by(step).flat_map(|r| (0..cols).step_by(step).map(move |c| (r, c))) {
-            let block = (r..(r + step).min(rows)).flat_map(|r| (c..(c + step).min(cols)).map(move |c| (r, c)));
-            let height = |&(r, c): &(usize, usize)| self.surface[self.shape.index(r, c)];
-            if let Some((r, c)) = block.max_by(|a, b| height(a).total_cmp(&height(b))) {
-                let [x, y] = [c as f64 * self.spacing[0], (rows - 1 - r) as f64 * self.spacing[1]];
-                points.push([x, y, height(&(r, c))]);
-            }
-        }
-        points
+        block::outline(self.field.grid(), &self.surface, self.foot)
     }
 
     pub(super) fn new(field: &'a HeightField, view: &View) -> Self {
         let grid = field.grid();
-        let extent = grid.extent().map(|e| e.max(1e-6));
-        let finite = field.elevation().iter().filter(|z| z.is_finite());
-        let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
+        let extent = block::extent(grid);
+        let (lo, hi) = block::range(field.elevation());
         let ground: Vec<f64> =
             field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
-        let depth = water_depth(field, lo, hi, view.water);
+        let depth = block::water_depth(field, (lo, hi), 0.0, view.water);
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i] * view.exaggeration).collect();
         let (low, high) = (lo * view.exaggeration, hi * view.exaggeration);
         let surface_high = surface.iter().copied().fold(high, f64::max);
@@ -149,7 +131,7 @@ impl<'a> Scene<'a> {
         });
         let ca = math::cos(view.sun_altitude);
         let pyramid = Pyramid::new(grid.shape, &surface);
-        let foot = low - (0.06 * extent[0].min(extent[1])).max(0.15 * (high - low));
+        let foot = block::foot(extent, low, high);
         Self {
             field,
             exaggeration: view.exaggeration,
@@ -461,7 +443,7 @@ impl<'a> Scene<'a> {
         let (to, t) = if on_x { (k[2], v) } else { (k[1], u) };
         let beds = cut(self.field, [k[0], to], t, p[2] / self.exaggeration);
         let grain = fbm(Seed(11), along_wall / (0.5 * scale_length), p[2] / (0.5 * scale_length), 4, 2.1, 0.6);
-        let plain = || mix(hex(0x857a6e), hex(0x6d645b), 0.25 * under + 0.35 * grain);
+        let plain = || mix(hex(CUT[0]), hex(CUT[1]), 0.25 * under + 0.35 * grain);
         let soil = |rock: Rgb| mix(hex(0x54463a), rock, math::smoothstep(0.02, 0.07, under));
         let colour = beds.map_or_else(|| soil(plain()), |bed| scale(bed, 0.9 + 0.12 * grain));
         let light = 0.25 + 0.75 * dot(normal, self.sun).max(0.0);
@@ -495,23 +477,4 @@ fn water_normal(grid: &Grid, surface: &[f64], i: usize) -> Vector {
     let slope = g.slope();
     let most = if slope > 0.3 { 0.3 / slope } else { 1.0 };
     normalize([-g.x * most, -g.y * most, 1.0])
-}
-
-/// Depth of lakes (if `inland`) and of the sea over each node, m. Sea is what lies below 0 in a
-/// land that also rises above it.
-fn water_depth(field: &HeightField, lo: f64, hi: f64, inland: bool) -> Vec<f64> {
-    let water = waters(field);
-    let has_sea = lo < 0.0 && hi > 0.0;
-    let z = field.elevation();
-    (0..z.len())
-        .map(|i| {
-            if has_sea && z[i] < 0.0 {
-                -z[i]
-            } else if inland {
-                water.lake[i]
-            } else {
-                0.0
-            }
-        })
-        .collect()
 }

@@ -3,11 +3,10 @@
 use landform_core::math;
 
 use crate::render::colour::{Rgb, blend, hex, mix};
+use crate::render::ground::SKY;
 
 /// Steps of the ramp; more would not show in eight bits.
 const STEPS: usize = 512;
-const ZENITH: u32 = 0x8fb2d6;
-const HORIZON: u32 = 0xe6ebee;
 
 /// Colours by height.
 pub(super) struct Sky {
@@ -19,7 +18,7 @@ pub(super) struct Sky {
 impl Sky {
     /// The ramp: mixing in Oklab costs too much to do for each ray.
     pub(super) fn rising_from(from: f64) -> Self {
-        Self { ramp: (0..=STEPS).map(|k| mix(hex(HORIZON), hex(ZENITH), k as f64 / STEPS as f64)).collect(), from }
+        Self { ramp: (0..=STEPS).map(|k| mix(hex(SKY[1]), hex(SKY[0]), k as f64 / STEPS as f64)).collect(), from }
     }
 
     /// Its colour in a direction that rises by `up`.
