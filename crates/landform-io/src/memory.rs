@@ -18,6 +18,10 @@ pub fn available() -> Option<u64> {
 }
 
 /// Most bytes of memory that this process has held at once, if the system reports it.
+///
+/// ```
+/// assert!(landform_io::memory::peak().is_none_or(|bytes| bytes > 1 << 16));
+/// ```
 pub fn peak() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;

@@ -1,5 +1,5 @@
-//! Hostile values in every recipe of the gallery: each is refused or run, without a panic, a hang or
-//! an endless step.
+//! Hostile values in every recipe of the gallery: each is refused or run, without a panic, a hang
+//! or an endless step.
 //!
 //! Lines `key = value` of the recipes, made small, get values that no one should write. A few in
 //! the tests; `cargo xtask validate` sets `LANDFORM_HOSTILE` to as many as it wants.

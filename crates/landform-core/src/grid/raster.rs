@@ -145,14 +145,34 @@ impl RasterDomain {
     }
 
     /// The shorter side of a cell, m.
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, RasterDomain, Shape};
+    ///
+    /// let grid = Grid::new(Shape::new(3, 3), [10.0, 12.0])?;
+    /// assert_eq!(RasterDomain::new(&grid, &[]).cell(), 10.0);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     #[inline]
     pub fn cell(&self) -> f64 {
         self.distance[0].min(self.distance[2])
     }
 
-    /// [`Domain::steepness`] of the links of columns 1 to `cols` − 2 of a row that is neither the
-    /// first nor the last, by slot and column less one; none if it is the same at every node. The
-    /// raster has at least three columns.
+    /// [`Domain::steepness`] (1/m) of the links of columns 1 to `cols` − 2 of a row that is neither
+    /// the first nor the last, by slot and column less one; none if it is the same at every node.
+    /// The raster has at least three columns.
+    ///
+    /// ```
+    /// use landform_core::grid::{Domain, Grid, Jitter, RasterDomain, Shape};
+    /// use landform_core::random::Seed;
+    ///
+    /// let mut grid = Grid::new(Shape::new(5, 5), [10.0, 10.0])?;
+    /// assert!(RasterDomain::new(&grid, &[]).steepness_around(2).is_none());
+    /// grid.jitter = Some(Jitter { seed: Seed(1) });
+    /// let domain = RasterDomain::new(&grid, &[]);
+    /// assert_eq!(domain.steepness_around(2).unwrap()(7, 1), domain.steepness(12, 7));
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     #[inline]
     pub fn steepness_around(&self, row: usize) -> Option<impl Fn(usize, usize) -> f64 + '_> {
         let inverse = self.jittered.as_ref()?.around_row(row, self.shape.cols);

@@ -183,6 +183,14 @@ impl ReadStage {
 }
 
 /// Bytes a node that stages take which run together on a kind of terrain.
+///
+/// ```
+/// use landform_core::stage::bytes_a_node_of;
+/// use landform_core::terrain::Kind;
+///
+/// // Elevations alone.
+/// assert_eq!(bytes_a_node_of(&[], Some(Kind::HeightField)), 16);
+/// ```
 pub fn bytes_a_node_of(parts: &[&ReadStage], kind: Option<Kind>) -> u64 {
     let measured = parts.iter().map(|part| part.parameters.bytes_a_node);
     match (kind, measured.sum::<Option<u64>>()) {

@@ -18,6 +18,18 @@ impl HeightField {
     /// The graph of the nodes at places off the centres of their cells, for what runs over the
     /// ground without moving its nodes. None if they stand there already, or the raster has fewer
     /// than three rows or columns.
+    ///
+    /// ```
+    /// use landform_core::grid::{Domain, Grid, Shape};
+    /// use landform_core::random::Seed;
+    /// use landform_core::terrain::HeightField;
+    ///
+    /// let flat = HeightField::new(Grid::new(Shape::new(5, 5), [10.0, 10.0])?, vec![1.0; 25])?;
+    /// let domain = flat.domain_off_centres(Seed(1)).unwrap();
+    /// // The middle's neighbour in the east stands nearer or farther than a cell.
+    /// assert!((domain.distance(12, 0) - 10.0).abs() > 0.01);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn domain_off_centres(&self, seed: Seed) -> Option<RasterDomain> {
         let grid = self.grid_off_centres(seed)?;
         let valid: Vec<bool> = (0..grid.len()).map(|i| self.is_valid(i)).collect();
@@ -28,6 +40,19 @@ impl HeightField {
 
     /// Elevations (m) at the places of [`Self::domain_off_centres`], by smooth curves through the
     /// nodes; those of base levels, nodata and sides stay. **Cost** O(n).
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::random::Seed;
+    /// use landform_core::terrain::{HeightField, NodeSurface};
+    ///
+    /// let grid = Grid::new(Shape::new(9, 9), [10.0, 10.0])?;
+    /// let slope = HeightField::new(grid, (0..81).map(|i| f64::from(i % 9)).collect())?;
+    /// let there = slope.elevation_off_centres(Seed(1));
+    /// // Sides stay; inside a node is as high as the slope is where it stands.
+    /// assert!(there[0] == 0.0 && (there[40] - 4.0).abs() <= 0.5);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn elevation_off_centres(&self, seed: Seed) -> Vec<f64> {
         let (domain, regular, old) = (self.domain(), self.grid(), self.elevation());
         let Some(grid) = self.grid_off_centres(seed) else { return old.to_vec() };

@@ -66,7 +66,14 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// Number of nodes of a raster over this extent.
+    /// Number of nodes of a raster over this extent, with cells of so many metres.
+    ///
+    /// ```
+    /// use landform_core::verb::Estimate;
+    ///
+    /// let map = Estimate { extent: [1000.0, 500.0], ..Estimate::default() };
+    /// assert_eq!(map.raster_nodes(10.0), 101 * 51);
+    /// ```
     pub fn raster_nodes(&self, cell_size: f64) -> u64 {
         let count = |e: f64| (e / cell_size).round().max(1.0) + 1.0;
         // More than any memory holds, and few enough for sums of bytes.
@@ -75,6 +82,11 @@ impl Estimate {
 }
 
 /// Bytes a node of elevations and what a raster always holds beside them.
+///
+/// ```
+/// // A thousand by a thousand nodes.
+/// assert_eq!(landform_core::verb::ELEVATIONS * 1_000_000 >> 20, 15);
+/// ```
 pub const ELEVATIONS: u64 = 16;
 
 /// Makes a terrain.

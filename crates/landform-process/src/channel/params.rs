@@ -77,8 +77,8 @@ pub struct ChannelErosion {
     /// Rain that runs off; may vary in space.
     #[schemars(extend("x-min" = 0.0))]
     pub rainfall: Varying<RateDimension>,
-    /// Springs, each { at = ["1 km", "2 km"], discharge = "2 m3/s" }; with rounds = [50, 80] one runs
-    /// from the 50th to the 80th round only.
+    /// Springs, each { at = ["1 km", "2 km"], discharge = "2 m3/s" }; with rounds = [50, 80] one
+    /// runs from the 50th to the 80th round only.
     pub springs: Vec<Spring>,
     /// Rivers that enter over sides, each { side = "north", discharge = "5 m3/s" }.
     pub inflow: Vec<Inflow>,

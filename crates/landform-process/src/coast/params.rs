@@ -67,6 +67,13 @@ pub enum Exposure {
 }
 
 /// What a coast looks like.
+///
+/// ```
+/// use landform_process::coast::{CoastErosion, Look};
+///
+/// let params: CoastErosion = serde_json::from_str(r#"{ "look": "skerries", "land": 0.5 }"#).unwrap();
+/// assert_eq!(params.look, Some(Look::Skerries));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Look {

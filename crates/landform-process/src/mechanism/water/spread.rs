@@ -5,8 +5,8 @@
 //! closed form: neighbours are raised in order of height until the water is used up, which gives
 //! the same result as the thesis' steps of raising m sites to the level of the next. Levels count
 //! as far below a site as they would lie a cell away from it: by height alone, as in the thesis,
-//! the corner is lower than the side on nearly every slope, and all water runs along diagonals. Equal
-//! shares turn water up to 6 degrees towards the sides, those by distance less than 3.
+//! the corner is lower than the side on nearly every slope, and all water runs along diagonals.
+//! Equal shares turn water up to 6 degrees towards the sides, those by distance less than 3.
 
 use landform_core::grid::{Domain, Neighbours, RasterDomain};
 
@@ -17,8 +17,8 @@ pub(super) const GRAIN: f64 = 1.0 / (1 << 22) as f64;
 /// Rule of sharing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
-    /// The neighbours down the steepest slopes first, each raised to the level of the next; `depth` m of water where
-    /// all the water of the map runs, less with the root of the flow.
+    /// The neighbours down the steepest slopes first, each raised to the level of the next; `depth`
+    /// m of water where all the water of the map runs, less with the root of the flow.
     Columns {
         /// The depth, m.
         depth: f64,
