@@ -87,6 +87,7 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Coasts", "coasts_global", "46_coasts_global.toml"),
     recipe!("Coasts", "coasts_local", "47_coasts_local.toml"),
     recipe!("Coasts", "coasts_weakened", "48_coasts_weakened.toml"),
+    recipe!("Coasts", "coasts_by_look", "73_coasts_by_look.toml"),
     recipe!("Coasts", "mixed_coast", "49_mixed_coast.toml"),
     recipe!("Coasts", "island_interior", "50_island_interior.toml"),
     recipe!("Coasts", "sector_coasts", "51_sector_coasts.toml"),
