@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{HeightField, Mesh, NodeSurface, height_field, sea_level};
 use crate::field::{Fields, Values};
-use crate::grid::{Domain, Grid, Neighbours, Status};
+use crate::grid::{Domain, Edge, Edges, Grid, Neighbours, Status};
 use crate::{Result, parallel};
 
 /// A raster of a mesh: linear on each triangle for real fields, the nearest corner's value for
@@ -32,7 +32,8 @@ use crate::{Result, parallel};
 /// # Errors
 /// Where [`Grid::covering`] fails.
 pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField> {
-    let grid = grid_over(mesh, cell_size)?;
+    let mut grid = grid_over(mesh, cell_size)?;
+    grid.edges = open_sides(mesh);
     let triangle = locate(mesh, &grid);
     let linear = |values: &[f64]| linear(mesh, &grid, &triangle, values);
     let corner = parallel::map(grid.len(), |i| match triangle[i] {
@@ -71,6 +72,29 @@ pub fn height_field_from_mesh(mesh: &Mesh, cell_size: f64) -> Result<HeightField
         field.set_status(Some(status));
     }
     Ok(field)
+}
+
+/// Sides of a mesh along which water leaves. One without nodes of its own, as that of a round mesh,
+/// is open.
+fn open_sides(mesh: &Mesh) -> Edges {
+    let [[w, s], [e, n]] = mesh.bounds();
+    let near = 1e-9 * (e - w).max(n - s);
+    let domain = mesh.domain();
+    let side = |away: &dyn Fn([f64; 2]) -> f64, beside: &dyn Fn([f64; 2]) -> f64| {
+        // Corners belong to two sides.
+        let on = |at: [f64; 2]| away(at).abs() <= near && beside(at) > near;
+        let mut nodes = (0..domain.len()).filter(|&i| on(mesh.positions()[i])).peekable();
+        let is_empty = nodes.peek().is_none();
+        if is_empty || nodes.any(|i| domain.status()[i] == Status::BaseLevel) { Edge::Open } else { Edge::Closed }
+    };
+    let along_x = |[x, _]: [f64; 2]| (x - w).min(e - x);
+    let along_y = |[_, y]: [f64; 2]| (y - s).min(n - y);
+    Edges {
+        north: side(&|[_, y]| n - y, &along_x),
+        south: side(&|[_, y]| y - s, &along_x),
+        east: side(&|[x, _]| e - x, &along_y),
+        west: side(&|[x, _]| x - w, &along_y),
+    }
 }
 
 /// The values of the corners nearest to places; the plainest value where there is no triangle.
@@ -326,9 +350,22 @@ mod tests {
     use super::*;
     use crate::algo::sampling::poisson_disk;
     use crate::field::names;
-    use crate::grid::{Edges, Neighbours, Shape};
+    use crate::grid::Shape;
     use crate::random::Seed;
     use crate::terrain::Layer;
+
+    #[test]
+    fn a_raster_has_the_open_sides_of_its_mesh() {
+        let sites: Vec<[f64; 2]> = (0..121).map(|i| [f64::from(i % 11) * 10.0, f64::from(i / 11) * 10.0]).collect();
+        for edges in [
+            Edges { south: Edge::Open, ..Edges::all(Edge::Closed) },
+            Edges { north: Edge::Closed, ..Edges::all(Edge::Open) },
+            Edges::all(Edge::Open),
+        ] {
+            let mesh = Mesh::delaunay(&sites, edges).unwrap();
+            assert_eq!(height_field_from_mesh(&mesh, 10.0).unwrap().grid().edges, edges);
+        }
+    }
 
     #[test]
     fn a_plane_on_a_mesh_is_the_same_plane_on_a_raster() {
