@@ -274,14 +274,29 @@ fn sample_within(interpolation: Interpolation, grid: &Grid, values: &[f64], node
 
 /// Value of a raster at a position (m) by either interpolation, NaN outside or beside nodata.
 pub fn sample_by(interpolation: Interpolation, grid: &Grid, values: &[f64], position: [f64; 2]) -> f64 {
-    let linear = height_field::sample(grid, values, position);
-    if interpolation == Interpolation::Linear || linear.is_nan() {
-        return linear;
+    if interpolation == Interpolation::Linear {
+        return height_field::sample(grid, values, position);
     }
     let [u, v] = grid.col_row(position);
     let (cols, rows) = (grid.shape.cols as isize, grid.shape.rows as isize);
     let (c, r) = ((u.floor() as isize).clamp(0, cols - 1), (v.floor() as isize).clamp(0, rows - 1));
     let (fu, fv) = (weights((u - c as f64).clamp(0.0, 1.0)), weights((v - r as f64).clamp(0.0, 1.0)));
+    if c >= 1 && c + 2 < cols && r >= 1 && r + 2 < rows {
+        // All sixteen nodes are there; where one is nodata the sum is none.
+        let first = grid.shape.index(r as usize - 1, c as usize - 1);
+        let mut sum = 0.0;
+        for (a, wv) in fv.iter().enumerate() {
+            let row = &values[first + a * grid.shape.cols..][..4];
+            fu.iter().zip(row).for_each(|(wu, value)| sum += wv * wu * value);
+        }
+        if !sum.is_nan() {
+            return sum;
+        }
+    }
+    let linear = height_field::sample(grid, values, position);
+    if linear.is_nan() {
+        return linear;
+    }
     let mut sum = 0.0;
     for (a, wv) in fv.iter().enumerate() {
         for (b, wu) in fu.iter().enumerate() {
