@@ -170,26 +170,10 @@ impl Front {
         let wanted: Vec<bool> =
             (0..sites.len()).map(|k| resistance[k] < force(k) || (drive.wear)(sites[k]) > 0.0).collect();
         let ratio = perimeter::ratios(self.perimeter, &coast, self.start_length, self.sites.spacing(), &wanted);
-        let damped = |k: usize| force(k) / (1.0 + (drive.damping)(sites[k]) * ratio[k]);
-        let mut fallen = Vec::new();
-        let mut needed = f64::INFINITY;
-        for k in 0..sites.len() {
-            let (site, pressure) = (sites[k], damped(k));
-            let wear = (drive.wear)(site);
-            if wear > 0.0 {
-                // Wear acts through as many sides as the sea reaches.
-                self.material[site] -=
-                    wear * pressure * (self.material[site] / resistance[k].max(1e-9)).clamp(1.0, 4.0);
-            }
-            let retreats = if wear > 0.0 { self.material[site] <= 0.0 } else { wanted[k] && resistance[k] < pressure };
-            if retreats {
-                fallen.push(site);
-            } else if pressure > 0.0 {
-                needed = needed.min(resistance[k] / pressure);
-            }
-        }
-        self.fall(&fallen, drive);
-        Round { fallen, needed }
+        let pressure = |k: usize| force(k) / (1.0 + (drive.damping)(sites[k]) * ratio[k]);
+        let round = yields((&sites, &wanted), &resistance, pressure, drive, &mut self.material);
+        self.fall(&round.fallen, drive);
+        round
     }
 
     /// Makes sites fall, whatever their resistance.
@@ -240,6 +224,34 @@ impl Front {
         let Shape { rows, cols } = self.shape;
         [cols > 2 && far(0, cols - 1), rows > 2 && far(0, self.shape.index(rows - 1, 0))]
     }
+}
+
+/// What a pressure on the sites of a coast does: which fall, and wear of the others; sites that are
+/// not wanted stand. All but the material is by position in the list.
+pub(super) fn yields(
+    (sites, wanted): (&[usize], &[bool]),
+    resistance: &[f64],
+    pressure: impl Fn(usize) -> f64,
+    drive: &Drive,
+    material: &mut [f64],
+) -> Round {
+    let mut round = Round { fallen: Vec::new(), needed: f64::INFINITY };
+    for (k, &site) in sites.iter().enumerate() {
+        let (pressure, wear) = (pressure(k), (drive.wear)(site));
+        let falls = if wear > 0.0 {
+            // Wear acts through as many sides as the sea reaches.
+            material[site] -= wear * pressure * (material[site] / resistance[k].max(1e-9)).clamp(1.0, 4.0);
+            material[site] <= 0.0
+        } else {
+            wanted[k] && resistance[k] < pressure
+        };
+        if falls {
+            round.fallen.push(site);
+        } else if pressure > 0.0 {
+            round.needed = round.needed.min(resistance[k] / pressure);
+        }
+    }
+    round
 }
 
 /// The sea: sites at or under a level that connect to the open border, or to sites that were sea

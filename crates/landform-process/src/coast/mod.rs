@@ -62,6 +62,8 @@ mod tests;
 mod trials;
 mod weakest;
 
+use std::borrow::Cow;
+
 use landform_core::field::names;
 use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, Layer, NodeSurface};
@@ -201,7 +203,8 @@ impl Process<HeightField> for CoastErosion {
             state.ground = fingerprint(terrain.elevation());
             state.flood(terrain, &mut front, round_number)?;
         }
-        let fallen = self.on(terrain).round(state, &mut front);
+        let fallen = self.on(terrain).round(state, &state.force, &mut front);
+        state.rests = front.is_done() || fallen.is_empty() && state.wear.max() == 0.0;
         state.left = state.left.saturating_sub(fallen.len());
         fallen.iter().for_each(|&site| front.each_node(site, |i| state.age[i] = round_number));
         let (floor, mut eroded) = (level - self.depth.si(), 0.0);
@@ -232,7 +235,7 @@ impl Process<HeightField> for CoastErosion {
 
 impl CoastErosion {
     /// The parameters on a terrain's cells, with those that a look stands for.
-    fn on(&self, terrain: &HeightField) -> Self {
+    fn on(&self, terrain: &HeightField) -> Cow<'_, Self> {
         let [dx, dy] = terrain.grid().spacing;
         self.with_look(0.5 * (dx + dy))
     }
@@ -291,19 +294,18 @@ impl CoastErosion {
         Ok(state)
     }
 
-    /// One round; returns the sites that fell.
-    fn round(&self, state: &mut State, front: &mut AnyFront) -> Vec<usize> {
+    /// One round by a force; returns the sites that fell.
+    fn round(&self, state: &State, force: &Resolved, front: &mut AnyFront) -> Vec<usize> {
         let amount = self.weakening.map_or(0.0, |w| w.amount);
         let grains = front.grains();
         let node = |site: usize| grains.as_ref().map_or(site, |g| g.node(site));
-        let round = front.round(&Drive {
-            force: &|i| state.force.at(node(i)),
+        let drive = Drive {
+            force: &|i| force.at(node(i)),
             damping: &|i| state.damping.at(node(i)),
             wear: &|i| state.wear.at(node(i)),
             weakening: &|i| amount * state.weakening.at(node(i)),
-        });
-        state.rests = front.is_done() || round.fallen.is_empty() && state.wear.max() == 0.0;
-        round.fallen
+        };
+        front.round(&drive).fallen
     }
 
     /// Whether more land is left than was asked for.

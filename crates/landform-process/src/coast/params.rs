@@ -1,5 +1,7 @@
 //! Parameters of coasts.
 
+use std::borrow::Cow;
+
 use landform_core::units::{Length, Ratio, RatioDimension};
 use landform_core::verb::{Params, Source, Varying};
 use landform_core::{Error, Result};
@@ -301,8 +303,8 @@ impl CoastErosion {
 
     /// These parameters, with those that the look stands for. Lengths are counted in grains, or in
     /// cells of `cell` metres.
-    pub(super) fn with_look(&self, cell: f64) -> Self {
-        let Some(look) = self.look else { return self.clone() };
+    pub(super) fn with_look(&self, cell: f64) -> Cow<'_, Self> {
+        let Some(look) = self.look else { return Cow::Borrowed(self) };
         let grain = self.grain.map_or(cell, Length::si);
         let local = |grains: f64| Perimeter::Local { local: Length::of(grains * grain), search: Search::All };
         let (damping, perimeter) = match look {
@@ -312,7 +314,7 @@ impl CoastErosion {
         };
         let own =
             Self { damping: Ratio::of(damping).into(), perimeter, exposure: Exposure::Proportional, ..self.clone() };
-        match (look, self.wanted_land()) {
+        Cow::Owned(match (look, self.wanted_land()) {
             // A sea that weakens what it leaves does not rest: it wears, and is stopped.
             (Look::Smooth, Some(land)) => Self {
                 weakening: Some(Weakening { amount: 1.0, radius: Length::of(4.0 * grain) }),
@@ -321,7 +323,7 @@ impl CoastErosion {
                 ..own
             },
             _ => own,
-        }
+        })
     }
 
     /// The share of land that shall be left.

@@ -302,6 +302,19 @@ fn what_has_no_use_is_refused_and_an_end_out_of_reach_is_told() {
     assert_eq!(run(&until(0.99), ground(60, 60, 10.0, false), 1).1, Stopped::AtRest);
 }
 
+/// A step of a year.
+pub(in crate::coast) fn step(index: u64) -> Step {
+    Step {
+        index,
+        of: None,
+        time: index as f64 * YEAR,
+        dt: YEAR,
+        seed: Seed(2),
+        environment: Default::default(),
+        cancel: Default::default(),
+    }
+}
+
 /// Steps of a coast whose ground `moves` before each.
 fn beside(
     params: &CoastErosion,
@@ -313,15 +326,7 @@ fn beside(
     let mut state = params.start(&mut field, &context).unwrap();
     for index in 0..steps {
         field.change(Layer::Bedrock, |z| moves(index, z));
-        let at = Step {
-            index,
-            of: None,
-            time: index as f64 * YEAR,
-            dt: YEAR,
-            seed: Seed(2),
-            environment: Default::default(),
-            cancel: Default::default(),
-        };
+        let at = step(index);
         // As after a checkpoint: nothing hangs on what it does not hold.
         if index % 3 == 1 {
             state.front = None;

@@ -1,9 +1,9 @@
 //! The force that leaves a share of the land.
 
+use landform_core::verb::Resolved;
 use landform_core::{Error, Result};
 
 use super::State;
-use super::front::Drive;
 use super::params::CoastErosion;
 
 /// Trials between a force that leaves more and one that leaves less.
@@ -49,19 +49,10 @@ impl CoastErosion {
         let (land, material) = front.parts();
         land.clone_from(&state.land);
         material.clone_from(&state.material);
-        let grains = front.grains();
-        let node = |site: usize| grains.as_ref().map_or(site, |g| g.node(site));
-        let amount = self.weakening.map_or(0.0, |w| w.amount);
+        let force = Resolved::Uniform(force);
         let mut left = state.start_land;
         for _ in 0..self.iterations {
-            let fallen = front
-                .round(&Drive {
-                    force: &|_| force,
-                    damping: &|i| state.damping.at(node(i)),
-                    wear: &|_| 0.0,
-                    weakening: &|i| amount * state.weakening.at(node(i)),
-                })
-                .fallen;
+            let fallen = self.round(state, &force, &mut front);
             left = left.saturating_sub(fallen.len());
             if fallen.is_empty() || (left as f64) < enough * state.start_land as f64 {
                 break;

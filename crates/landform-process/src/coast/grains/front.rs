@@ -6,7 +6,7 @@ use landform_core::agents::Group;
 use landform_core::{math, parallel};
 
 use super::{Beyond, Grains};
-use crate::coast::front::{Drive, Round, WHOLE_EVENT};
+use crate::coast::front::{Drive, Round, WHOLE_EVENT, yields};
 use crate::coast::params::{Exposure, Perimeter, Search};
 
 /// Sides of a cell: exposure counts the open part of a grain's sides in these.
@@ -85,8 +85,8 @@ impl GrainFront {
     }
 
     fn look_around(&mut self, grain: usize) {
-        let near: Vec<usize> = self.grains.sides(grain).map(|(to, _)| to).collect();
-        near.into_iter().for_each(|to| self.look(to));
+        let grains = self.grains.clone();
+        grains.sides(grain).for_each(|(to, _)| self.look(to));
     }
 
     /// Takes over which grains are land; returns those that changed.
@@ -133,24 +133,10 @@ impl GrainFront {
         let wanted: Vec<bool> =
             (0..sites.len()).map(|k| resistance[k] < force(k) || (drive.wear)(sites[k]) > 0.0).collect();
         let ratio = self.ratios(&sites, &open, &wanted);
-        let (mut fallen, mut needed) = (Vec::new(), f64::INFINITY);
-        for k in 0..sites.len() {
-            let grain = sites[k];
-            let pressure = force(k) / (1.0 + (drive.damping)(grain) * ratio[k]);
-            let wear = (drive.wear)(grain);
-            if wear > 0.0 {
-                let through = (self.material[grain] / resistance[k].max(1e-9)).clamp(1.0, CELL_SIDES);
-                self.material[grain] -= wear * pressure * through;
-            }
-            let falls = if wear > 0.0 { self.material[grain] <= 0.0 } else { wanted[k] && resistance[k] < pressure };
-            if falls {
-                fallen.push(grain);
-            } else if pressure > 0.0 {
-                needed = needed.min(resistance[k] / pressure);
-            }
-        }
-        self.fall(&fallen, drive);
-        Round { fallen, needed }
+        let pressure = |k: usize| force(k) / (1.0 + (drive.damping)(sites[k]) * ratio[k]);
+        let round = yields((&sites, &wanted), &resistance, pressure, drive, &mut self.material);
+        self.fall(&round.fallen, drive);
+        round
     }
 
     fn fall(&mut self, grains: &[usize], drive: &Drive) {

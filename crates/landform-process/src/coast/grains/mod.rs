@@ -28,6 +28,8 @@ const SHIFT: f64 = 0.45;
 const SHIFT_LENGTH: f64 = 0.9;
 /// Least size of a grain, in cells: below, many grains would hold no node.
 const LEAST_CELLS: f64 = 0.5;
+/// Lines along each axis from which raggedness is found.
+const LINES: usize = 9;
 /// Most grains of a map.
 const MOST: f64 = 2e7;
 
@@ -246,7 +248,7 @@ impl Grains {
         let (mut sides, mut lines) = (0.0, 0.0);
         for axis in 0..2 {
             let n = self.across[axis];
-            for k in (RINGS + 1)..(n - RINGS) {
+            for k in ((RINGS + 1)..(n - RINGS)).take(LINES) {
                 let at = (k as f64 - 0.5 * n as f64) * self.size;
                 // The grains of two squares on either side hold all sides that cross the line.
                 let row = |g: usize| if axis == 0 { g % cols } else { g / cols };
@@ -257,9 +259,6 @@ impl Grains {
                     .map(|(_, side)| side)
                     .sum::<f64>();
                 lines += (self.across[1 - axis] - 2 * RINGS) as f64 * self.size;
-                if k > RINGS + 8 {
-                    break;
-                }
             }
         }
         if lines > 0.0 && sides > 0.0 { sides / lines } else { 1.0 }

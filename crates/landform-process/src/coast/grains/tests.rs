@@ -5,9 +5,10 @@ use landform_core::random::Seed;
 use landform_core::sim::{Simulation, Stop};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Length, Ratio, YEAR};
-use landform_core::verb::{Context, Process, Step};
+use landform_core::verb::{Context, Process};
 
 use super::Grains;
+use crate::coast::tests::step;
 use crate::coast::{CoastErosion, Exposure, Perimeter, Search};
 
 const SIDE: f64 = 1920.0;
@@ -108,17 +109,8 @@ fn a_coast_on_grains_is_the_same_after_a_checkpoint_and_on_any_number_of_threads
         let mut field = square(15.0);
         let mut state = params.start(&mut field, &Context { seed: Seed(1), ..Context::default() }).unwrap();
         for index in 0..12 {
-            let at = Step {
-                index,
-                of: None,
-                time: index as f64 * YEAR,
-                dt: YEAR,
-                seed: Seed(2),
-                environment: Default::default(),
-                cancel: Default::default(),
-            };
             state.front = if forgets { None } else { state.front };
-            params.step(&mut field, &mut state, &at).unwrap();
+            params.step(&mut field, &mut state, &step(index)).unwrap();
         }
         field
     };
