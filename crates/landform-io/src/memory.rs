@@ -5,15 +5,10 @@ use landform_core::{Error, Result};
 /// Bytes that this process may still take, if the system reports them: what is free, or what its
 /// own limit leaves.
 pub fn available() -> Option<u64> {
-    let of = |path: &str, key: &str, place: usize| {
-        let text = std::fs::read_to_string(path).ok()?;
-        let line = text.lines().find_map(|l| l.strip_prefix(key))?;
-        line.split_whitespace().nth(place)?.parse::<u64>().ok()
-    };
-    let free = of("/proc/meminfo", "MemAvailable:", 0).map(|k| k * 1024);
+    let free = number("/proc/meminfo", "MemAvailable:", 0).map(|k| k * 1024);
     // `ulimit -v` limits addresses, of which some are taken.
-    let limit = of("/proc/self/limits", "Max address space", 0);
-    let taken = of("/proc/self/status", "VmSize:", 0).unwrap_or(0) * 1024;
+    let limit = number("/proc/self/limits", "Max address space", 0);
+    let taken = number("/proc/self/status", "VmSize:", 0).unwrap_or(0) * 1024;
     free.into_iter().chain(limit.map(|l| l.saturating_sub(taken))).min()
 }
 
@@ -23,9 +18,14 @@ pub fn available() -> Option<u64> {
 /// assert!(landform_io::memory::peak().is_none_or(|bytes| bytes > 1 << 16));
 /// ```
 pub fn peak() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
-    line.split_whitespace().next()?.parse::<u64>().ok().map(|k| k * 1024)
+    number("/proc/self/status", "VmHWM:", 0).map(|k| k * 1024)
+}
+
+/// The number at a place of the line of a file that begins with a key.
+fn number(path: &str, key: &str, place: usize) -> Option<u64> {
+    let text = std::fs::read_to_string(path).ok()?;
+    let line = text.lines().find_map(|l| l.strip_prefix(key))?;
+    line.split_whitespace().nth(place)?.parse().ok()
 }
 
 /// Refuses what needs more memory than there is.

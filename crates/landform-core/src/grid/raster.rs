@@ -51,9 +51,6 @@ const fn first_arc(mask: u8) -> u8 {
     }
 }
 
-/// The slots, those of lower index first.
-const BY_INDEX: [usize; 8] = [3, 2, 1, 4, 0, 5, 6, 7];
-
 /// Whether the neighbour in a slot has a lower index.
 const BEFORE: [bool; 8] = [false, true, true, true, true, false, false, false];
 
@@ -101,6 +98,14 @@ pub struct RasterDomain {
 }
 
 impl RasterDomain {
+    /// The slots of a node's neighbours, those of lower index first: row by row.
+    ///
+    /// ```
+    /// // North-west, the first of the window around a node.
+    /// assert_eq!(landform_core::grid::RasterDomain::SLOTS_BY_INDEX[0], 3);
+    /// ```
+    pub const SLOTS_BY_INDEX: [usize; 8] = [3, 2, 1, 4, 0, 5, 6, 7];
+
     /// From a grid, its validity mask (empty: all valid) and its edges.
     ///
     /// Nodes on open sides are base level; so is the rim of nodata that reaches an open side.
@@ -249,15 +254,12 @@ impl RasterDomain {
         let inner = row > 0 && row + 1 < self.shape.rows && cols > 2;
         if inner {
             let rows = &elevation[(row - 1) * cols..(row + 2) * cols];
-            match &self.jittered {
+            match self.steepness_around(row) {
                 None => {
                     let inverse = self.inverse;
                     steepest_kernel(rows, cols, |k, _| inverse[k], slots);
                 }
-                Some(jittered) => {
-                    let inverse = jittered.around_row(row, cols);
-                    steepest_kernel(rows, cols, |k, j| f64::from(inverse[k][j]) * DIAGONAL[k & 1], slots);
-                }
+                Some(steepness) => steepest_kernel(rows, cols, steepness, slots),
             }
         }
         let status = &self.status[row * cols..(row + 1) * cols];
@@ -494,7 +496,7 @@ impl Domain for RasterDomain {
         }
         let around = self.around(elevation, node);
         let (mut least, mut slot) = (f64::INFINITY, NO_SLOT);
-        for k in BY_INDEX {
+        for k in Self::SLOTS_BY_INDEX {
             let lower = around[k] < least;
             least = if lower { around[k] } else { least };
             slot = if lower { k as u8 } else { slot };

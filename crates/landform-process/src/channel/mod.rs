@@ -178,7 +178,7 @@ impl Process<HeightField> for ChannelErosion {
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
         let now = supply_in(at.index + 1, &state.rate, &state.timed);
         let rate = &*now;
-        if !(parallel::sum(rate.len(), |i| rate[i]) > 0.0) {
+        if !state.timed.is_empty() && !(parallel::sum(rate.len(), |i| rate[i]) > 0.0) {
             // Until a spring begins nothing moves.
             return Ok(Change::default());
         }

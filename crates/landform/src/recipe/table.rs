@@ -16,25 +16,46 @@ impl Sweep {
     }
 }
 
+/// Column of how a run stopped, a word.
+const STOPPED: &str = "stopped";
+/// Columns that every table has after the keys.
+const NAMES: [&str; 12] = [
+    "min_m",
+    "mean_m",
+    "max_m",
+    "median_slope",
+    "max_slope",
+    "hypsometric_integral",
+    "concavity",
+    "lakes",
+    "steps",
+    "time_yr",
+    STOPPED,
+    "residual",
+];
+
 impl Row {
     /// Columns of the table that hold a number, and those numbers; none where there is none.
     pub(super) fn numbers(&self) -> Vec<(&str, Option<f64>)> {
         let (s, outcome) = (&self.summary, self.outcome.as_ref());
         let own = [
-            ("min_m", Some(s.min)),
-            ("mean_m", Some(s.mean)),
-            ("max_m", Some(s.max)),
-            ("median_slope", Some(s.median_slope)),
-            ("max_slope", Some(s.max_slope)),
-            ("hypsometric_integral", Some(self.hypsometry.integral)),
-            ("concavity", Some(self.slope_area.concavity)),
-            ("lakes", Some(s.lakes as f64)),
-            ("steps", outcome.map(|o| o.steps as f64)),
-            ("time_yr", outcome.map(|o| o.time / YEAR)),
-            ("residual", outcome.and_then(|o| o.residual)),
+            Some(s.min),
+            Some(s.mean),
+            Some(s.max),
+            Some(s.median_slope),
+            Some(s.max_slope),
+            Some(self.hypsometry.integral),
+            Some(self.slope_area.concavity),
+            Some(s.lakes as f64),
+            outcome.map(|o| o.steps as f64),
+            outcome.map(|o| o.time / YEAR),
+            // A word, how it stopped.
+            None,
+            outcome.and_then(|o| o.residual),
         ];
+        let own = NAMES.into_iter().zip(own).filter(|n| n.0 != STOPPED);
         let measured = self.measures.iter().map(|(name, v)| (name.as_str(), Some(*v)));
-        own.into_iter().chain(measured).map(|(name, v)| (name, v.filter(|v| v.is_finite()))).collect()
+        own.chain(measured).map(|(name, v)| (name, v.filter(|v| v.is_finite()))).collect()
     }
 }
 
@@ -45,7 +66,7 @@ pub(super) fn table<'a>(keys: impl Iterator<Item = &'a str>, rows: &[Row]) -> St
     };
     let keys: Vec<String> = keys.map(quote).collect();
     let mut table = ["seed".to_string()].into_iter().chain(keys).collect::<Vec<_>>().join(",");
-    table += ",min_m,mean_m,max_m,median_slope,max_slope,hypsometric_integral,concavity,lakes,steps,time_yr,stopped,residual";
+    NAMES.iter().for_each(|name| table += &format!(",{name}"));
     let columns = columns(rows);
     columns.iter().for_each(|c| table += &format!(",{}", quote(c)));
     table.push('\n');

@@ -211,14 +211,9 @@ fn heap(program: &Path, recipe: &Path, nodes: usize) -> Result<(u64, u64)> {
         .output()
         .map_err(|e| Error::io("run valgrind on", program, e))?;
     let log = String::from_utf8_lossy(&run.stderr).into_owned();
-    let usage = log.lines().find_map(|l| l.split("total heap usage:").nth(1)).unwrap_or_default();
-    let number = |word: &str| {
-        let before = usage.split(',').map(str::trim).collect::<Vec<_>>().join("");
-        let words: Vec<&str> = before.split_whitespace().collect();
-        let at = words.iter().position(|w| w.starts_with(word))?;
-        let digits: String = words.get(at.checked_sub(1)?)?.chars().filter(char::is_ascii_digit).collect();
-        digits.parse::<u64>().ok()
-    };
+    let usage = log.lines().find_map(|l| l.split("total heap usage:").nth(1)).unwrap_or_default().replace(',', "");
+    let words: Vec<&str> = usage.split_whitespace().collect();
+    let number = |word: &str| words.windows(2).find(|w| w[1] == word)?[0].parse::<u64>().ok();
     match (number("allocs"), number("bytes")) {
         (Some(allocations), Some(bytes)) => Ok((allocations, bytes)),
         _ => Err(Error::parameter("valgrind", log, "a line of total heap usage")),

@@ -116,7 +116,7 @@ impl<T: Rasterize> Export<T> for WritePovray {
         }
         let level = landscape.environment.sea(self.sea_level).unwrap_or(0.0);
         let block = BlockView::new(&raster, &view, level);
-        let ground = Ground::of(&raster);
+        let ground = Ground::of(&raster, block.range);
         let has_sea = self.water && ground.low < level && level < ground.high;
         let is_sea = |z: f64| has_sea && z < level;
         let lake = |(&z, &depth): (&f64, &f64)| if is_sea(z) { 0.0 } else { depth };

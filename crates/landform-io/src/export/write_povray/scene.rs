@@ -2,7 +2,7 @@
 
 use landform_core::grid::Grid;
 use landform_core::math;
-use landform_core::terrain::{HeightField, NodeSurface};
+use landform_core::terrain::HeightField;
 
 use super::heights::Heights;
 use crate::render::ground::{
@@ -22,9 +22,7 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub(super) fn of(field: &HeightField) -> Self {
-        let finite = field.elevation().iter().filter(|z| z.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (a.min(z), b.max(z)));
+    pub(super) fn of(field: &HeightField, (low, high): (f64, f64)) -> Self {
         Self { low, high, is_desert: is_desert(field) }
     }
 }

@@ -10,6 +10,8 @@ use super::{View, block};
 /// south-west corner, z up, elevations exaggerated.
 #[derive(Clone, Debug)]
 pub(crate) struct BlockView {
+    /// Least and greatest elevation, m, not exaggerated.
+    pub(crate) range: (f64, f64),
     /// Level of the block's foot, m.
     pub(crate) foot: f64,
     /// Depth of water over each node, m, not exaggerated: lakes and the sea.
@@ -36,6 +38,6 @@ impl BlockView {
         let foot = block::foot(extent, low, high);
         let camera = Camera::before(&block::outline(field.grid(), &surface, foot), extent, low, view);
         let angle = 2.0 * math::atan(camera.half_height * camera.aspect);
-        Self { foot, depth, camera: camera.at, forward: camera.forward, angle }
+        Self { range: (lo, hi), foot, depth, camera: camera.at, forward: camera.forward, angle }
     }
 }

@@ -122,9 +122,6 @@ fn rim_node(domain: &RasterDomain, ground: &[f64], i: usize) -> SteepestNeighbou
     }
 }
 
-/// Slots of the neighbours of a window of nine, row by row.
-const SLOTS: [usize; 8] = [3, 2, 1, 4, 0, 5, 6, 7];
-
 /// From the heights of a window of nine, row by row, and what a drop to the neighbour in a slot is
 /// multiplied by.
 #[inline]
@@ -137,7 +134,7 @@ fn inner_node(at: impl Fn(usize) -> f64, scale: impl Fn(usize) -> f64) -> Steepe
         // Nodata is neither lower nor higher.
         lower |= u8::from(level < z) << place;
         higher += u8::from(level > z);
-        let drop = (z - level) * scale(SLOTS[place]);
+        let drop = (z - level) * scale(RasterDomain::SLOTS_BY_INDEX[place]);
         let is_steepest = drop > most;
         second = if is_steepest {
             most
