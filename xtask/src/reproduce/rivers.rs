@@ -37,7 +37,7 @@ time step, initial ground) was chosen by looking, see the docs of `channel_erosi
         Figure { title: "Figure 4.20: rain on a hill of sand", recipe: "sand_hill", pictures: &["hill"], measures: &[], what: "Cells of 25 cm." },
         Figure { title: "Figure 4.25: ground at the threshold of erosion", recipe: "threshold_basin", pictures: &["ends", "ends_area", "overflows", "overflows_area"], measures: &["ends", "", "overflows", ""], what: "Rodriguez-Iturbe & Rinaldo on fractional Brownian motion: rivers end in depressions, as in the thesis, or depressions overflow." },
         Figure { title: "Its limit: networks of least energy", recipe: "optimal_network", pictures: &["network", "area"], measures: &["network", ""], what: "In the nature of rivers β is about 0.43 and h 0.57." },
-        Figure { title: "Poster of 2013, and appendix A.2: a confluence", recipe: "confluence", pictures: &["confluence", "map"], measures: &[], what: "Water is a surface over the ground, tinted by its depth; rivers widen as they meet." },
+        Figure { title: "Poster of 2013, and appendix A.2: a confluence", recipe: "confluence", pictures: &["confluence", "map"], measures: &[], what: "Water is a surface over the ground; rivers widen as they meet." },
         Figure { title: "Beyond the thesis: fans", recipe: "alluvial_fans", pictures: &["fans", "laid", "map"], measures: &[], what: "With `graded_slope` what is cut is carried and laid down. The second picture shows how much was laid down (green to white) or worn away (blue): most at the two mouths." },
         Figure { title: "Beyond the thesis: rivers fill a lake", recipe: "delta", pictures: &["view", "laid", "map"], measures: &[], what: "Standing water takes the load. The second picture shows how much was laid down (green to white) or worn away (blue)." },
     ],
@@ -103,7 +103,7 @@ fn transports() -> Result<String> {
     let mut text = String::from(
         "## How transports gather water\n\nRain on a rough slope of 128 x 256 cells, no erosion. Gini's coefficient of the flow along a row: 0 if all nodes have the same, 1 if one has all. \
          Rounds: 1, pipes 40 of 20 steps. \
-         Columns gather most, as in the thesis. Pipes come after area maps: their thin sheet of a short storm runs in every groove.\n\n| transport | Gini | largest share of a row's flow |\n|---|---|---|\n",
+         Area maps, which move no water, gather most; of the transports that move it columns do, as in the thesis. Pipes come next: their thin sheet of a short storm runs in every groove.\n\n| transport | Gini | largest share of a row's flow |\n|---|---|---|\n",
     );
     let still = "avalanche_weight = 0.0\nflow_weight = 0.0\ndiffusion_weight = 0.0\nadvection_weight = 0.0\nbase_weight = 0.0\n";
     for transport in ["columns", "area_map", "weighted_average", "average", "pipes"] {

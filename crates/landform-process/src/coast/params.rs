@@ -79,11 +79,11 @@ pub enum Exposure {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Look {
-    /// Bays and capes of any size, with islands before them.
+    /// Bays and capes of any size, with islets before them.
     Rugged,
-    /// Land broken up into islets and narrow channels far inland.
+    /// Shores frayed into necks, inlets and islets.
     Skerries,
-    /// A line that is nearly straight, without islands.
+    /// A gently wavy line without islands.
     Smooth,
 }
 

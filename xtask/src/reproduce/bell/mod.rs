@@ -89,7 +89,7 @@ said otherwise.
 
 What the thesis leaves open: the node count and the talus angle of its parameter tables, the tolerance at which a run counted as
 converged, and the random start (its generator is seeded by the clock). Our tables use 20,000 nodes and 30 degrees, which bring
-the row m = 0.5 to within a tenth of 3235 m, for every row; they are steady to 1e-12 of the relief. The figures use 35 degrees.
+the row m = 0.5 to within a tenth of 3235 m, for every row; they are steady to 1e-12 of the relief. The figures use 35 degrees, but 5.18 where it says so.
 At 30 degrees no slope graph of this extent can be higher than 9,770 m: there all slopes stand at the talus angle. The thesis' rows of
 11,026, 11,987 and 10,882 m show a steeper angle. No single angle fits all rows: at 35 degrees m = 0.25 gives 11,848 m (thesis
 11,987), but m = 0.4 gives 11,559 m (9,070).
