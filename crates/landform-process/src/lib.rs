@@ -3,6 +3,7 @@
 //! A phenomenon may use `landform-core` and nothing beside it here; two that must interact are
 //! coupled by a recipe.
 
+pub mod automaton;
 pub mod basin;
 pub mod channel;
 pub mod coast;
@@ -29,6 +30,7 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     dune::STAGES,
     snow::STAGES,
     streams::STAGES,
+    automaton::STAGES,
     basin::STAGES,
     volume::STAGES,
 ];

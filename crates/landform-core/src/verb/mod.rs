@@ -33,7 +33,7 @@ pub use changing::Changing;
 pub use context::Context;
 pub use environment::Environment;
 pub use features::FeatureWord;
-pub use formula::Formula;
+pub use formula::{CellCall, CellFormula, CellFunction, Cells, Formula, Words};
 pub use hints::add_hints;
 pub use history::{Event, Landscape};
 pub use maps::{Image, Maps, NoMaps};

@@ -9,6 +9,17 @@ use landform_core::{Error, Result, math};
 ///
 /// # Errors
 /// [`Error::Parameter`], which names the diagonal, if the radius is longer than it.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::units::Length;
+/// use landform_process::mechanism::within_map;
+///
+/// let grid = Grid::new(Shape::new(3, 4), [10.0; 2])?;
+/// assert!(within_map("radius", Length::of(50.0), &grid).is_ok());
+/// assert!(within_map("radius", Length::of(51.0), &grid).is_err());
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 pub fn within_map(name: &str, radius: Length, grid: &Grid) -> Result<()> {
     let most = math::hypot(grid.shape.cols as f64 * grid.spacing[0], grid.shape.rows as f64 * grid.spacing[1]);
     if radius.si() > most {

@@ -95,15 +95,17 @@ impl Node {
         Some(entries.remove(at))
     }
 
-    /// Where the value at a path of keys stands ("grid.cell_size"), or as much of the path as there
-    /// is.
+    /// Where the value at a path of keys stands ("grid.cell_size", "effects[0].rules"), or as much
+    /// of the path as there is.
     pub(super) fn span_at(&self, path: &str) -> Range<usize> {
         let (first, rest) = path.split_once('.').unwrap_or((path, ""));
-        match self.get(first) {
-            Some(entry) if rest.is_empty() || entry.node.entries().is_empty() => entry.node.span.clone(),
-            Some(entry) => entry.node.span_at(rest),
-            None => self.span.clone(),
-        }
+        let (key, item) = first.strip_suffix(']').and_then(|f| f.split_once('[')).unwrap_or((first, ""));
+        let Some(entry) = self.get(key) else { return self.span.clone() };
+        let node = match (&entry.node.value, item.parse::<usize>()) {
+            (Value::Array(items), Ok(k)) => items.get(k).unwrap_or(&entry.node),
+            _ => &entry.node,
+        };
+        if rest.is_empty() || node.entries().is_empty() { node.span.clone() } else { node.span_at(rest) }
     }
 
     /// Whether a key is there, descending along a path.
