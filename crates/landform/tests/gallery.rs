@@ -245,6 +245,7 @@ const SMALL: &[(&str, &[&str])] = &[
     ("sand_hill", &["surface.cell_size=1 m", "channel_erosion.iterations=20", "write_picture.size=160"]),
     ("threshold_basin", &["spectral_fbm.cell_size=40 m", "write_picture.size=160"]),
     ("optimal_network", &["noise.cell_size=200 m", "write_picture.size=160"]),
+    ("an_automaton_in_text", &["spectral_fbm.cell_size=40 m", "write_picture.size=160"]),
     ("koh_streams", &["midpoint_displacement.cell_size=40 m", "flat.cell_size=40 m", "write_picture.size=160"]),
     (
         "a_lake_breaks_through",

@@ -102,6 +102,7 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Running water", "threshold_basin", "62_threshold_basin.toml"),
     recipe!("Running water", "optimal_network", "63_optimal_network.toml"),
     recipe!("Running water", "koh_streams", "64_koh_streams.toml", "data/softness_face.png"),
+    recipe!("Running water", "an_automaton_in_text", "74_an_automaton_in_text.toml"),
     recipe!("Noise and its spectra", "spectral_synthesis", "25_spectral_synthesis.toml"),
     recipe!("Noise and its spectra", "bare_subdivision", "26_bare_subdivision.toml"),
     recipe!("Noise and its spectra", "diamond_square", "27_diamond_square.toml"),
