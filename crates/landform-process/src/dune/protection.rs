@@ -63,7 +63,7 @@ impl Protection {
     /// call. **Cost** O(sites that changed · cone).
     pub(super) fn update(&mut self, field: &Field) {
         let Some(cones) = self.cones.take().or_else(|| self.cones()) else { return };
-        for (site, depth) in field.depths().enumerate() {
+        for (site, depth) in field.sand.depths().enumerate() {
             let change = i64::from(depth - self.known[site]);
             if change != 0 {
                 self.known[site] = depth;
@@ -75,10 +75,8 @@ impl Protection {
         self.cones = Some(cones);
     }
 
-    /// Which sites are sheltered from a wind.
-    pub(super) fn sheltered(&self, wind: usize, out: &mut [bool]) {
-        for (out, protection) in out.iter_mut().zip(&self.maps[wind]) {
-            *out = *protection > 0;
-        }
+    /// The protection of every site from a wind, units.
+    pub(super) fn from(&self, wind: usize) -> &[i64] {
+        &self.maps[wind]
     }
 }

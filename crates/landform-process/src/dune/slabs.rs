@@ -4,11 +4,10 @@ use landform_core::grid::Grid;
 use landform_core::random::{Seed, Stream};
 use landform_core::verb::Rose;
 
-use super::Scratch;
 use super::field::Field;
 use super::params::Dunes;
 use super::protection::Protection;
-use crate::mechanism::wind::WindScan;
+use super::shelter::Shelter;
 
 /// How often shelter is found anew in a round.
 const SHELTERS_A_ROUND: u64 = 4;
@@ -23,7 +22,6 @@ pub(super) fn round(
     grid: &Grid,
     field: &mut Field,
     mut protection: Option<&mut Protection>,
-    scratch: &mut Scratch,
     rose: &Rose,
     wind: usize,
     part: f64,
@@ -34,41 +32,16 @@ pub(super) fn round(
     let hop = field.cells_of(towards, params.hop(grid), grid.spacing);
     let slab = field.sand.slab();
     for part_of_round in 0..SHELTERS_A_ROUND {
-        find_shelter(params, grid, field, protection.as_deref_mut(), scratch, (wind, towards));
+        let shelter = Shelter::from(params, grid, field, protection.as_deref_mut(), (wind, towards));
+        let (surface, mut mark) = field.sand.shelter();
+        shelter.find(surface, |first, are_sheltered| mark.set(first, are_sheltered));
         let mut stream = seed.with(part_of_round).stream();
         for strip in 0..n.div_ceil(STRIP) {
             let sites = strip * STRIP..((strip + 1) * STRIP).min(n);
             let times = (sites.len() as f64 * part / SHELTERS_A_ROUND as f64).ceil() as usize;
-            blow(params, field, &scratch.sheltered, hop, slab, sites, times, &mut stream);
+            blow(params, field, hop, slab, sites, times, &mut stream);
         }
     }
-}
-
-/// Finds which sites are sheltered from a wind of the rose, into `scratch.sheltered`.
-pub(super) fn find_shelter(
-    params: &Dunes,
-    grid: &Grid,
-    field: &Field,
-    protection: Option<&mut Protection>,
-    scratch: &mut Scratch,
-    (wind, towards): (usize, [f64; 2]),
-) {
-    let n = grid.len();
-    scratch.sheltered.resize(n, false);
-    let Some(protection) = protection else {
-        let sweep = WindScan::new(grid.shape, grid.spacing, field.is_torus(), towards);
-        let surface = field.sand.surface();
-        let fall = field.fall(params.shadow(), sweep.line_spacing);
-        scratch.air.resize(n, 0.0);
-        sweep.shelter(|i| surface[i] as f32, fall, &mut scratch.lines, &mut scratch.air);
-        for i in 0..n {
-            // Half a unit is rounding.
-            scratch.sheltered[i] = scratch.air[i] > surface[i] as f32 + 0.5;
-        }
-        return;
-    };
-    protection.update(field);
-    protection.sheltered(wind, &mut scratch.sheltered);
 }
 
 /// A probability as a bound on 32 random bits.
@@ -80,7 +53,6 @@ fn bound(chance: f64) -> u64 {
 fn blow(
     params: &Dunes,
     field: &mut Field,
-    sheltered: &[bool],
     hop: [f64; 2],
     slab: i32,
     sites: std::ops::Range<usize>,
@@ -95,7 +67,7 @@ fn blow(
     for _ in 0..times {
         let bits = stream.bits();
         let site = sites.start + Stream::index((bits >> 32) as u32, sites.len());
-        if field.sand.depth(site) <= 0 || sheltered[site] {
+        if !field.sand.is_exposed(site) {
             continue;
         }
         let taken = field.sand.take(site, slab);
@@ -113,8 +85,7 @@ fn blow(
                 break;
             };
             at = next;
-            let depth = field.sand.depth(at);
-            if field.sand.is_sink(at) || sheltered[at] || draw < if depth > 0 { on_sand } else { on_ground } {
+            if field.sand.keeps(at) || draw < if field.sand.is_exposed(at) { on_sand } else { on_ground } {
                 field.sand.put(at, taken);
                 break;
             }
