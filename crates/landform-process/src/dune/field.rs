@@ -142,13 +142,12 @@ impl Field {
         terrain.change_depth(SAND, &self.written)
     }
 
-    /// The site where sand lands that starts at a site and hops this many columns east and rows
-    /// south; none if it leaves.
+    /// The site where sand lands that starts at a row and column and hops this many columns east
+    /// and rows south; none if it leaves.
     #[inline]
-    pub(super) fn hop(&self, site: usize, cols: i64, rows: i64) -> Option<usize> {
+    pub(super) fn hop(&self, (row, col): (usize, usize), cols: i64, rows: i64) -> Option<usize> {
         let shape = self.sand.shape();
-        let wide = shape.cols as u32;
-        let (c, r) = (i64::from(site as u32 % wide) + cols, i64::from(site as u32 / wide) + rows);
+        let (c, r) = (col as i64 + cols, row as i64 + rows);
         if (c as u64) < shape.cols as u64 && (r as u64) < shape.rows as u64 {
             return Some(shape.index(r as usize, c as usize));
         }
@@ -164,6 +163,27 @@ impl Field {
     /// tan of an angle as a fall in units over a distance, m.
     pub(super) fn fall(&self, angle: f64, distance: f64) -> f32 {
         (math::tan(angle) * distance / self.unit) as f32
+    }
+}
+
+/// Rows and columns of sites, by multiplication: a division would keep the wind's hops waiting.
+pub(super) struct Places {
+    cols: u64,
+    /// 2⁶³ / cols, rounded up: exact for sites below 2³².
+    inverse: u64,
+}
+
+impl Places {
+    pub(super) fn new(shape: Shape) -> Self {
+        let cols = shape.cols as u64;
+        Self { cols, inverse: (1 << 63) / cols + 1 }
+    }
+
+    /// Row and column of a site.
+    #[inline]
+    pub(super) fn of(&self, site: usize) -> (usize, usize) {
+        let row = (u128::from(self.inverse) * site as u128 >> 63) as u64;
+        (row as usize, site - (row * self.cols) as usize)
     }
 }
 

@@ -4,7 +4,7 @@ use landform_core::grid::Grid;
 use landform_core::random::{Seed, Stream};
 use landform_core::verb::Rose;
 
-use super::field::Field;
+use super::field::{Field, Places};
 use super::params::Dunes;
 use super::protection::Protection;
 use super::shelter::Shelter;
@@ -59,11 +59,15 @@ fn blow(
     times: usize,
     stream: &mut Stream,
 ) {
-    let (on_sand, on_ground) = (bound(params.stay_on_sand()), bound(params.stay_on_ground()));
+    // By whether the site keeps what lands, and whether sand lies there: one table, since a
+    // processor guesses one outcome better than three.
+    let [on_ground, on_sand, always] = [params.stay_on_ground(), params.stay_on_sand(), 1.0].map(bound);
+    let stays = [[on_ground, on_sand], [always, always]];
     let whole = hop.map(|h| h.floor() as i64);
     // The probability of one cell more.
     let more = [0, 1].map(|k| bound(hop[k] - hop[k].floor()));
     let slants = more != [0, 0];
+    let places = Places::new(field.sand.shape());
     for _ in 0..times {
         let bits = stream.bits();
         let site = sites.start + Stream::index((bits >> 32) as u32, sites.len());
@@ -80,12 +84,13 @@ fn blow(
                 c += i64::from(bits & 0xffff_ffff < more[0]);
                 r += i64::from(bits >> 32 < more[1]);
             }
-            let Some(next) = field.hop(at, c, r) else {
+            let Some(next) = field.hop(places.of(at), c, r) else {
                 field.left += i64::from(taken);
                 break;
             };
             at = next;
-            if field.sand.keeps(at) || draw < if field.sand.is_exposed(at) { on_sand } else { on_ground } {
+            let [keeps, is_sand] = [field.sand.keeps(at), field.sand.is_exposed(at)].map(usize::from);
+            if draw < stays[keeps][is_sand] {
                 field.sand.put(at, taken);
                 break;
             }

@@ -72,6 +72,7 @@ pub struct Shelter<'a> {
 
 impl Shelter<'_> {
     /// Marks which of a run of sites are in shelter, from the first on.
+    #[inline]
     pub fn set(&mut self, first: usize, are_sheltered: &[bool]) {
         for (site, &is_sheltered) in self.sites[first..].iter_mut().zip(are_sheltered) {
             // A sink keeps what lands, sheltered or not.
