@@ -124,7 +124,7 @@ impl Field {
     fn is_known(&self, z: f64, lying: f64, ground: f64, depth: i32) -> bool {
         let same = |a: f64, b: f64| (a - b).abs() < 1e-6 * self.unit;
         let own = f64::from(depth) * self.unit;
-        z.is_nan() | same(z, ground + own) & same(lying, own)
+        z.is_nan() | (same(z, ground + own) & same(lying, own))
     }
 
     fn take_over_at(&mut self, site: usize, z: f64, lying: f64) {
@@ -182,7 +182,7 @@ impl Places {
     /// Row and column of a site.
     #[inline]
     pub(super) fn of(&self, site: usize) -> (usize, usize) {
-        let row = (u128::from(self.inverse) * site as u128 >> 63) as u64;
+        let row = ((u128::from(self.inverse) * site as u128) >> 63) as u64;
         (row as usize, site - (row * self.cols) as usize)
     }
 }

@@ -100,8 +100,8 @@ impl Process<HeightField> for Dunes {
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
-        if self.model == Model::Protection {
-            within_map("reach", self.reach(), terrain.grid())?;
+        if let Some(reach) = self.reach {
+            within_map("reach", reach, terrain.grid())?;
         }
         let mut field = Field::lay(self, terrain, context)?;
         let rose = self.rose(context.environment)?;

@@ -11,8 +11,8 @@ use crate::mechanism::wind::WindScan;
 pub(super) enum Shelter<'a> {
     /// The ground casts a shadow that falls by so many units from line to line.
     Shadow { scan: WindScan, fall: f32 },
-    /// The protection of every site.
-    Protection(&'a [i64]),
+    /// Protection from a wind of the rose.
+    Protection(&'a Protection, usize),
 }
 
 impl<'a> Shelter<'a> {
@@ -29,7 +29,7 @@ impl<'a> Shelter<'a> {
             return Self::Shadow { scan, fall: field.fall(params.shadow(), scan.line_spacing) };
         };
         protection.update(field);
-        Self::Protection(protection.from(wind))
+        Self::Protection(protection, wind)
     }
 
     /// Calls `found` with runs of sites, from the first on, and whether each is in shelter on a
@@ -49,8 +49,8 @@ impl<'a> Shelter<'a> {
                     found(first, &run);
                 });
             }
-            Self::Protection(map) => {
-                run.extend(map.iter().map(|&protection| protection > 0));
+            Self::Protection(protection, wind) => {
+                run.extend(protection.find(*wind));
                 found(0, &run);
             }
         }

@@ -77,7 +77,7 @@ impl Shelter<'_> {
         for (site, &is_sheltered) in self.sites[first..].iter_mut().zip(are_sheltered) {
             // A sink keeps what lands, sheltered or not.
             let of_sink = (*site & word::SINK) * (word::KEEPS / word::SINK);
-            *site = *site & !word::KEEPS | of_sink | u32::from(is_sheltered) * word::KEEPS;
+            *site = (*site & !word::KEEPS) | of_sink | (u32::from(is_sheltered) * word::KEEPS);
         }
     }
 }
