@@ -49,7 +49,6 @@ fn bound(chance: f64) -> u64 {
     (chance * (1u64 << 32) as f64) as u64
 }
 
-#[expect(clippy::too_many_arguments, reason = "the inner loop, split from the round for its length")]
 fn blow(
     params: &Dunes,
     field: &mut Field,
