@@ -47,8 +47,7 @@ Written by `cargo xtask reproduce pytel-dunes`. Sites are 15 m wide (the thesis 
 the machine that wrote the page, one run; the thesis' are 40 to 67 s for one field of 256 x 128 on an Athlon 4400+.
 
 Table 4.1 of the thesis, share of sites within a tenth of the angle of repose: shadowing 19.7 % (first start) and 3.4 % (second), protection 50.8 % and 10.2 %. Its starts are not given. Ours are random heaps; shadowing
-leaves no dunes of them in 20 rounds, so it runs for longer, and thin sand under three winds is blown into sheets, so there it has one. Shelter by protection against geometric shadows: 36.5 % and 20.8 % of all sites there, 10.1 % and 1.7 % without peaks and troughs (here: sites in the middle third of the heights around
-them). That protection makes steeper dunes in fewer rounds is as the thesis says.
+leaves no dunes of them in 20 rounds, so it runs for longer, and thin sand under three winds is blown into sheets, so there it has one. Shelter by protection against geometric shadows: 36.5 % and 20.8 % of all sites there, 10.1 % and 1.7 % without peaks and troughs (here: where the slope changes by less than a tenth from cell to cell, level ground included). That protection makes steeper dunes in fewer rounds is as the thesis says.
 
 ",
     figures: &[

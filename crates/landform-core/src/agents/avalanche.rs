@@ -104,6 +104,11 @@ impl Stencil {
         self.reach.is_empty()
     }
 
+    /// Columns east, rows south and weight of every site that an event reaches.
+    pub fn offsets(&self) -> impl Iterator<Item = (i32, i32, f64)> {
+        self.reach.iter().copied()
+    }
+
     /// Calls `change` with every site that an event at `origin` reaches, and its weight. Sides do
     /// what the raster's edges say.
     #[inline]

@@ -24,6 +24,6 @@ mod sites;
 pub use automaton::{Automaton, Neighbourhood};
 pub use avalanche::{Falloff, Stencil, avalanche, cascade};
 pub use group::{Group, Order};
-pub use sand::Sand;
+pub use sand::{Sand, Shelter};
 pub use search::Search;
 pub use sites::{Connectivity, MeshSites, RasterSites, Sites, VoxelSites, Voxels};

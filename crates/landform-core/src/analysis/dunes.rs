@@ -69,13 +69,15 @@ pub struct Dunes {
 pub struct ShadowError {
     /// Of all sites.
     pub all: f64,
-    /// Of sites that are neither on peaks nor in troughs: within the middle third of the heights
-    /// around them.
+    /// Of sites that are neither on peaks nor in troughs: where the slope changes little from cell
+    /// to cell, as on flanks and on level ground.
     pub flanks: f64,
 }
 
 /// Sand thinner than this part of a cell counts as none.
 const BARE: f64 = 0.02;
+/// Change of slope over a cell, summed over both axes, from which ground is a peak or a trough.
+const CURVED: f64 = 0.1;
 /// Bins of slip faces' directions.
 const BINS: usize = 36;
 
@@ -154,9 +156,8 @@ fn class(d: &Dunes, cell: f64) -> DuneClass {
 }
 
 /// Compares `shelter` (parts of the winds) with the shadows of 15 degrees that the ground casts in
-/// each wind. Peaks and troughs follow from the range of heights within half a `spacing`. **Cost**
-/// O(n · relief / cell).
-pub fn shadow_error(grid: &Grid, z: &[f64], shelter: &[f64], rose: &Rose, spacing: f64, torus: bool) -> ShadowError {
+/// each wind. Peaks and troughs are where the ground curves. **Cost** O(n · relief / cell).
+pub fn shadow_error(grid: &Grid, z: &[f64], shelter: &[f64], rose: &Rose, torus: bool) -> ShadowError {
     let cell = grid.spacing[0].min(grid.spacing[1]);
     let fall = math::tan(15f64.to_radians()) * cell;
     let highest = parallel::max(z.len(), |i| z[i]);
@@ -175,16 +176,7 @@ pub fn shadow_error(grid: &Grid, z: &[f64], shelter: &[f64], rose: &Rose, spacin
                 moved(grid, r, c, torus).is_some_and(|j| z[j] > z[i] + k * fall)
             })
     };
-    let reach = ((0.5 * spacing / cell) as i64).max(2);
-    let is_flank = |i: usize| {
-        let here = grid.shape.cell(i);
-        let around = (-reach..=reach).flat_map(|r| (-reach..=reach).map(move |c| (r, c)));
-        let heights =
-            around.filter_map(|(r, c)| Some(z[moved(grid, here.row as i64 + r, here.col as i64 + c, torus)?]));
-        let (lo, hi) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
-        let part = (z[i] - lo) / (hi - lo).max(1e-300);
-        (1.0 / 3.0..=2.0 / 3.0).contains(&part)
-    };
+    let is_flank = |i: usize| curvature(grid, z, i, torus).abs() * cell < CURVED;
     let found = parallel::map(z.len(), |i| {
         let geometric: f64 =
             rose.winds().iter().map(|w| if hidden(i, w.towards()) { w.weight / total } else { 0.0 }).sum();
@@ -195,6 +187,18 @@ pub fn shadow_error(grid: &Grid, z: &[f64], shelter: &[f64], rose: &Rose, spacin
         of.iter().filter(|d| **d).count() as f64 / of.len().max(1) as f64
     };
     ShadowError { all: share(false), flanks: share(true) }
+}
+
+/// Laplacian of the heights at a node, 1/m; sides that do not meet go on level.
+fn curvature(grid: &Grid, z: &[f64], i: usize, torus: bool) -> f64 {
+    let cell = grid.shape.cell(i);
+    let [dx, dy] = grid.spacing;
+    let sides = [(0i64, 1i64, dx), (0, -1, dx), (1, 0, dy), (-1, 0, dy)];
+    let rises = sides.map(|(r, c, distance)| {
+        let beside = moved(grid, cell.row as i64 + r, cell.col as i64 + c, torus);
+        beside.map_or(0.0, |j| (z[j] - z[i]) / (distance * distance))
+    });
+    rises.iter().sum()
 }
 
 /// The steepest side of a node towards its eight neighbours, rise over run.

@@ -210,12 +210,13 @@ pub trait NodeSurface: Terrain {
         }
         let layers = layers.get_or_insert_with(|| Box::new(Layers::rock(&Materials::default(), depth.len())));
         let old = layers.depth_mut(material)?;
-        parallel::update(z, |i, z| {
-            if depth[i] != old[i] {
-                *z = (*z - old[i]) + depth[i];
+        parallel::for_pieces_mut2(z, old, parallel::PIECE, |first, z, old| {
+            for ((z, old), &new) in z.iter_mut().zip(old).zip(&depth[first..]) {
+                let moved = (*z - *old) + new;
+                *z = if new != *old { moved } else { *z };
+                *old = new;
             }
         });
-        old.copy_from_slice(depth);
         Ok(())
     }
 

@@ -69,8 +69,8 @@ impl Measure<HeightField> for MeasureDunes {
         let rose = landscape.environment.rose(&wind)?;
         let (grid, z) = (terrain.grid(), terrain.elevation());
         let mut found = dunes(grid, z, sand, &rose, self.repose.si(), self.periodic);
-        if let (Ok(shelter), Some(spacing)) = (terrain.fields().get(&names::SHELTER, Self::NAME), found.spacing) {
-            found.shadow = Some(shadow_error(grid, z, shelter, &rose, spacing, self.periodic));
+        if let Ok(shelter) = terrain.fields().get(&names::SHELTER, Self::NAME) {
+            found.shadow = Some(shadow_error(grid, z, shelter, &rose, self.periodic));
         }
         Ok(found)
     }

@@ -28,7 +28,13 @@ pub(super) struct Field {
     reported: i64,
     /// Whether what leaves on one side enters on the other.
     torus: bool,
+    /// Sand as it was written last, m.
+    #[serde(skip)]
+    written: Vec<f64>,
 }
+
+/// Sites that are looked at together for what others changed.
+const LOOK: usize = 1 << 10;
 
 impl Field {
     /// Takes the sand that lies on a terrain, and at the start of a run adds the sand of the
@@ -44,8 +50,8 @@ impl Field {
             _ => Resolved::Uniform(0.0),
         };
         let highest = landform_core::parallel::max(z.len(), |i| z[i].abs() + more.at(i).abs() + lying(i));
-        if highest / unit > f64::from(1 << 28) {
-            let most = unit * f64::from(1 << 28);
+        if highest / unit > f64::from(1 << 27) {
+            let most = unit * f64::from(1 << 27);
             return Err(Error::parameter(
                 "slab",
                 format!("{slab} m"),
@@ -74,7 +80,7 @@ impl Field {
             sand.lay(i, slabs * UNITS_A_SLAB + (lying(i) / unit).round() as i32);
         }
         sand.settle();
-        Ok(Self { sand, ground, unit, left: 0, reported: 0, torus })
+        Ok(Self { sand, ground, unit, left: 0, reported: 0, torus, written: Vec::new() })
     }
 
     /// Units that are gone and that no step has reported yet.
@@ -93,41 +99,55 @@ impl Field {
         self.torus
     }
 
-    /// Sand of every site, units.
-    pub(super) fn depths(&self) -> impl Iterator<Item = i32> {
-        (0..self.ground.len()).map(|i| self.sand.depth(i))
-    }
-
     /// Reads ground and sand after other processes.
     pub(super) fn take_over(&mut self, terrain: &HeightField) {
         let (z, lying) = (terrain.elevation(), terrain.depth(SAND).unwrap_or(&[]));
-        // A difference by rounding is no change.
-        let same = |a: f64, b: f64| (a - b).abs() < 1e-6 * self.unit;
-        for i in 0..z.len().min(lying.len()) {
-            let own = f64::from(self.sand.depth(i)) * self.unit;
-            let known = self.ground[i] + own;
-            if z[i].is_nan() || same(z[i], known) && same(lying[i], own) {
-                continue;
+        let n = z.len().min(lying.len());
+        for first in (0..n).step_by(LOOK) {
+            let sites = first..(first + LOOK).min(n);
+            let depths = self.sand.depths_of(sites.clone());
+            let (z, lying) = (&z[sites.clone()], &lying[sites.clone()]);
+            // All at once, since it is seldom that anything changed.
+            let ground = self.ground[sites.clone()].iter();
+            let known =
+                z.iter().zip(lying).zip(ground.zip(depths)).fold(true, |known, ((&z, &lying), (&ground, depth))| {
+                    known & self.is_known(z, lying, ground, depth)
+                });
+            if !known {
+                z.iter().zip(lying).zip(sites).for_each(|((&z, &lying), site)| self.take_over_at(site, z, lying));
             }
-            let depth = (lying[i] / self.unit).round() as i32;
-            self.ground[i] = z[i] - f64::from(depth) * self.unit;
-            self.sand.set_site(i, (self.ground[i] / self.unit).round() as i32, depth);
+        }
+    }
+
+    /// Whether elevation and sand of a site are its ground and depth, but for rounding.
+    #[inline]
+    fn is_known(&self, z: f64, lying: f64, ground: f64, depth: i32) -> bool {
+        let same = |a: f64, b: f64| (a - b).abs() < 1e-6 * self.unit;
+        let own = f64::from(depth) * self.unit;
+        z.is_nan() | (same(z, ground + own) & same(lying, own))
+    }
+
+    fn take_over_at(&mut self, site: usize, z: f64, lying: f64) {
+        if !self.is_known(z, lying, self.ground[site], self.sand.depth(site)) {
+            let depth = (lying / self.unit).round() as i32;
+            self.ground[site] = z - f64::from(depth) * self.unit;
+            self.sand.set_site(site, (self.ground[site] / self.unit).round() as i32, depth);
         }
     }
 
     /// Writes the depth of the sand; the surface follows.
-    pub(super) fn write(&self, terrain: &mut HeightField) -> Result<()> {
-        let depth: Vec<f64> = self.depths().map(|d| f64::from(d) * self.unit).collect();
-        terrain.change_depth(SAND, &depth)
+    pub(super) fn write(&mut self, terrain: &mut HeightField) -> Result<()> {
+        self.written.clear();
+        self.written.extend(self.sand.depths().map(|d| f64::from(d) * self.unit));
+        terrain.change_depth(SAND, &self.written)
     }
 
-    /// The site where sand lands that starts at a site and hops this many columns east and rows
-    /// south; none if it leaves.
+    /// The site where sand lands that starts at a row and column and hops this many columns east
+    /// and rows south; none if it leaves.
     #[inline]
-    pub(super) fn hop(&self, site: usize, cols: i64, rows: i64) -> Option<usize> {
+    pub(super) fn hop(&self, (row, col): (usize, usize), cols: i64, rows: i64) -> Option<usize> {
         let shape = self.sand.shape();
-        let wide = shape.cols as u32;
-        let (c, r) = (i64::from(site as u32 % wide) + cols, i64::from(site as u32 / wide) + rows);
+        let (c, r) = (col as i64 + cols, row as i64 + rows);
         if (c as u64) < shape.cols as u64 && (r as u64) < shape.rows as u64 {
             return Some(shape.index(r as usize, c as usize));
         }
@@ -143,6 +163,27 @@ impl Field {
     /// tan of an angle as a fall in units over a distance, m.
     pub(super) fn fall(&self, angle: f64, distance: f64) -> f32 {
         (math::tan(angle) * distance / self.unit) as f32
+    }
+}
+
+/// Rows and columns of sites, by multiplication: a division would keep the wind's hops waiting.
+pub(super) struct Places {
+    cols: u64,
+    /// 2⁶³ / cols, rounded up: exact for sites below 2³².
+    inverse: u64,
+}
+
+impl Places {
+    pub(super) fn new(shape: Shape) -> Self {
+        let cols = shape.cols as u64;
+        Self { cols, inverse: (1 << 63) / cols + 1 }
+    }
+
+    /// Row and column of a site.
+    #[inline]
+    pub(super) fn of(&self, site: usize) -> (usize, usize) {
+        let row = ((u128::from(self.inverse) * site as u128) >> 63) as u64;
+        (row as usize, site - (row * self.cols) as usize)
     }
 }
 

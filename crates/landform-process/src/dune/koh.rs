@@ -238,5 +238,5 @@ fn landing(air: &Air, field: &Field, node: usize, down: &[Place; 3], chance: [f6
             false => low as i64 + i64::from(chance[k] < point[k] - low),
         }
     });
-    field.hop(node, whole[0], whole[1])
+    field.hop((cell.row, cell.col), whole[0], whole[1])
 }

@@ -51,6 +51,7 @@ mod field;
 mod koh;
 mod params;
 mod protection;
+mod shelter;
 mod slabs;
 mod smooth;
 #[cfg(test)]
@@ -66,6 +67,7 @@ use serde::{Deserialize, Serialize};
 use field::Field;
 pub use params::{Borders, Dunes, Model};
 use protection::Protection;
+use shelter::Shelter;
 
 use crate::mechanism::within_map;
 
@@ -80,17 +82,12 @@ pub struct State {
     protection: Option<Protection>,
     /// Seed of the whole run: it draws the wind of several rounds, a spell.
     seed: Seed,
+    /// Koh: strength of the wind.
     #[serde(skip)]
-    scratch: Scratch,
-}
-
-/// Memory that rounds reuse.
-#[derive(Clone, Debug, Default)]
-struct Scratch {
-    /// Koh: strength of the wind. Else the height, units, under which there is none.
     air: Vec<f32>,
-    lines: Vec<f32>,
-    sheltered: Vec<bool>,
+    /// Sand at the start of a step, units.
+    #[serde(skip)]
+    before: Vec<i32>,
 }
 
 impl Process<HeightField> for Dunes {
@@ -103,16 +100,16 @@ impl Process<HeightField> for Dunes {
     }
 
     fn start(&self, terrain: &mut HeightField, context: &Context) -> Result<State> {
-        if self.model == Model::Protection {
-            within_map("reach", self.reach(), terrain.grid())?;
+        if let Some(reach) = self.reach {
+            within_map("reach", reach, terrain.grid())?;
         }
-        let field = Field::lay(self, terrain, context)?;
+        let mut field = Field::lay(self, terrain, context)?;
         let rose = self.rose(context.environment)?;
         let is_protection = self.model == Model::Protection;
         let protection = is_protection.then(|| Protection::new(self, &rose, terrain.grid(), &field));
         terrain.make_layered(&context.environment.materials);
         field.write(terrain)?;
-        Ok(State { field, protection, seed: context.seed, scratch: Scratch::default() })
+        Ok(State { field, protection, seed: context.seed, air: Vec::new(), before: Vec::new() })
     }
 
     fn max_step(&self, terrain: &HeightField, state: &State) -> Option<f64> {
@@ -120,9 +117,10 @@ impl Process<HeightField> for Dunes {
     }
 
     fn step(&self, terrain: &mut HeightField, state: &mut State, at: &Step) -> Result<Change> {
-        let State { field, protection, seed, scratch } = state;
+        let State { field, protection, seed, air, before } = state;
         field.take_over(terrain);
-        let before: Vec<i32> = field.depths().collect();
+        before.clear();
+        before.extend(field.sand.depths());
         let rose = self.rose(&at.environment)?;
         let wind = rose.draw(seed.named("wind"), at.index / self.spell);
         let part = (at.dt / self.round(terrain.grid(), field.slab())).min(1.0);
@@ -132,15 +130,15 @@ impl Process<HeightField> for Dunes {
         // As sand is laid, before the first step, some may slide off the map.
         let at_first = field.newly_lost() as f64;
         match self.model {
-            Model::Koh => koh::round(self, terrain.grid(), field, &mut scratch.air, &rose, wind, part, at.seed),
-            _ => slabs::round(self, terrain.grid(), field, protection.as_mut(), scratch, &rose, wind, part, at.seed),
+            Model::Koh => koh::round(self, terrain.grid(), field, air, &rose, wind, part, at.seed),
+            _ => slabs::round(self, terrain.grid(), field, protection.as_mut(), &rose, wind, part, at.seed),
         }
         let unit = field.unit * terrain.grid().cell_area();
-        let (mut eroded, mut deposited) = (0i64, 0i64);
-        for (old, new) in before.iter().zip(field.depths()) {
-            let d = i64::from(new - old);
-            deposited += d.max(0);
-            eroded += (-d).max(0);
+        let (mut eroded, mut deposited) = (0u64, 0u64);
+        for (old, new) in before.iter().zip(field.sand.depths()) {
+            let d = new - old;
+            deposited += u64::from(d.max(0) as u32);
+            eroded += u64::from((-d).max(0) as u32);
         }
         let lost = field.newly_lost() as f64;
         field.write(terrain)?;
@@ -161,7 +159,7 @@ impl Process<HeightField> for Dunes {
             let shelter = self.shelter(terrain, state, environment)?;
             terrain.fields_mut().insert(&names::SHELTER, shelter)?;
         } else {
-            let wind = state.scratch.air.iter().map(|&w| f64::from(w)).collect::<Vec<_>>();
+            let wind = state.air.iter().map(|&w| f64::from(w)).collect::<Vec<_>>();
             if wind.len() == terrain.grid().len() {
                 terrain.fields_mut().insert(&names::WIND, wind)?;
             }
@@ -174,16 +172,17 @@ impl Dunes {
     /// Fraction of the winds from which each site is sheltered by the model's own rule, on the sand
     /// as it lies.
     fn shelter(&self, terrain: &HeightField, state: &mut State, environment: &Environment) -> Result<Vec<f64>> {
-        let State { field, protection, scratch, .. } = state;
+        let State { field, protection, .. } = state;
         let rose = self.rose(environment)?;
         let total: f64 = rose.winds().iter().map(|w| w.weight).sum();
         let mut part = vec![0.0; terrain.grid().len()];
         for (k, wind) in rose.winds().iter().enumerate() {
-            let at = (k, wind.towards());
-            slabs::find_shelter(self, terrain.grid(), field, protection.as_mut(), scratch, at);
-            part.iter_mut()
-                .zip(&scratch.sheltered)
-                .for_each(|(p, s)| *p += f64::from(u8::from(*s)) * wind.weight / total);
+            let shelter = Shelter::from(self, terrain.grid(), field, protection.as_mut(), (k, wind.towards()));
+            shelter.find(field.sand.surface(), |first, are_sheltered| {
+                for (part, &is_sheltered) in part[first..].iter_mut().zip(are_sheltered) {
+                    *part += f64::from(u8::from(is_sheltered)) * wind.weight / total;
+                }
+            });
         }
         Ok(part)
     }

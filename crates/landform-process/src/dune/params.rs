@@ -89,7 +89,8 @@ pub struct Dunes {
     /// If not given, it is 15 degrees.
     #[schemars(extend("x-above" = 0.0, "x-max" = 80.0))]
     pub shadow: Option<Angle>,
-    /// Protection: distance downwind that a site protects. If not given, it is 20 m.
+    /// Protection: distance downwind that a site protects, as in the thesis. If not given, it
+    /// follows from the height of the sand: as far as its shadow at 15 degrees reaches.
     #[schemars(extend("x-above" = 0.0))]
     pub reach: Option<Length>,
     /// Protection: half-angle of the protected cone, to either side of the wind. If not given, it
@@ -233,11 +234,6 @@ impl Dunes {
     /// Angle of shadows, radians.
     pub(super) fn shadow(&self) -> f64 {
         self.shadow.unwrap_or(Angle::of(15.0)).si()
-    }
-
-    /// Distance that a site protects.
-    pub(super) fn reach(&self) -> Length {
-        self.reach.unwrap_or(Length::of(20.0))
     }
 
     /// Half-angle of what a site protects, radians.

@@ -4,11 +4,10 @@ use landform_core::grid::Grid;
 use landform_core::random::{Seed, Stream};
 use landform_core::verb::Rose;
 
-use super::Scratch;
-use super::field::Field;
+use super::field::{Field, Places};
 use super::params::Dunes;
 use super::protection::Protection;
-use crate::mechanism::wind::WindScan;
+use super::shelter::Shelter;
 
 /// How often shelter is found anew in a round.
 const SHELTERS_A_ROUND: u64 = 4;
@@ -23,7 +22,6 @@ pub(super) fn round(
     grid: &Grid,
     field: &mut Field,
     mut protection: Option<&mut Protection>,
-    scratch: &mut Scratch,
     rose: &Rose,
     wind: usize,
     part: f64,
@@ -34,41 +32,16 @@ pub(super) fn round(
     let hop = field.cells_of(towards, params.hop(grid), grid.spacing);
     let slab = field.sand.slab();
     for part_of_round in 0..SHELTERS_A_ROUND {
-        find_shelter(params, grid, field, protection.as_deref_mut(), scratch, (wind, towards));
+        let shelter = Shelter::from(params, grid, field, protection.as_deref_mut(), (wind, towards));
+        let (surface, mut mark) = field.sand.shelter();
+        shelter.find(surface, |first, are_sheltered| mark.set(first, are_sheltered));
         let mut stream = seed.with(part_of_round).stream();
         for strip in 0..n.div_ceil(STRIP) {
             let sites = strip * STRIP..((strip + 1) * STRIP).min(n);
             let times = (sites.len() as f64 * part / SHELTERS_A_ROUND as f64).ceil() as usize;
-            blow(params, field, &scratch.sheltered, hop, slab, sites, times, &mut stream);
+            blow(params, field, hop, slab, sites, times, &mut stream);
         }
     }
-}
-
-/// Finds which sites are sheltered from a wind of the rose, into `scratch.sheltered`.
-pub(super) fn find_shelter(
-    params: &Dunes,
-    grid: &Grid,
-    field: &Field,
-    protection: Option<&mut Protection>,
-    scratch: &mut Scratch,
-    (wind, towards): (usize, [f64; 2]),
-) {
-    let n = grid.len();
-    scratch.sheltered.resize(n, false);
-    let Some(protection) = protection else {
-        let sweep = WindScan::new(grid.shape, grid.spacing, field.is_torus(), towards);
-        let surface = field.sand.surface();
-        let fall = field.fall(params.shadow(), sweep.line_spacing);
-        scratch.air.resize(n, 0.0);
-        sweep.shelter(|i| surface[i] as f32, fall, &mut scratch.lines, &mut scratch.air);
-        for i in 0..n {
-            // Half a unit is rounding.
-            scratch.sheltered[i] = scratch.air[i] > surface[i] as f32 + 0.5;
-        }
-        return;
-    };
-    protection.update(field);
-    protection.sheltered(wind, &mut scratch.sheltered);
 }
 
 /// A probability as a bound on 32 random bits.
@@ -76,26 +49,28 @@ fn bound(chance: f64) -> u64 {
     (chance * (1u64 << 32) as f64) as u64
 }
 
-#[expect(clippy::too_many_arguments, reason = "the inner loop, split from the round for its length")]
 fn blow(
     params: &Dunes,
     field: &mut Field,
-    sheltered: &[bool],
     hop: [f64; 2],
     slab: i32,
     sites: std::ops::Range<usize>,
     times: usize,
     stream: &mut Stream,
 ) {
-    let (on_sand, on_ground) = (bound(params.stay_on_sand()), bound(params.stay_on_ground()));
+    // By whether the site keeps what lands, and whether sand lies there: one table, since a
+    // processor guesses one outcome better than three.
+    let [on_ground, on_sand, always] = [params.stay_on_ground(), params.stay_on_sand(), 1.0].map(bound);
+    let stays = [[on_ground, on_sand], [always, always]];
     let whole = hop.map(|h| h.floor() as i64);
     // The probability of one cell more.
     let more = [0, 1].map(|k| bound(hop[k] - hop[k].floor()));
     let slants = more != [0, 0];
+    let places = Places::new(field.sand.shape());
     for _ in 0..times {
         let bits = stream.bits();
         let site = sites.start + Stream::index((bits >> 32) as u32, sites.len());
-        if field.sand.depth(site) <= 0 || sheltered[site] {
+        if !field.sand.is_exposed(site) {
             continue;
         }
         let taken = field.sand.take(site, slab);
@@ -108,13 +83,13 @@ fn blow(
                 c += i64::from(bits & 0xffff_ffff < more[0]);
                 r += i64::from(bits >> 32 < more[1]);
             }
-            let Some(next) = field.hop(at, c, r) else {
+            let Some(next) = field.hop(places.of(at), c, r) else {
                 field.left += i64::from(taken);
                 break;
             };
             at = next;
-            let depth = field.sand.depth(at);
-            if field.sand.is_sink(at) || sheltered[at] || draw < if depth > 0 { on_sand } else { on_ground } {
+            let [keeps, is_sand] = [field.sand.keeps(at), field.sand.is_exposed(at)].map(usize::from);
+            if draw < stays[keeps][is_sand] {
                 field.sand.put(at, taken);
                 break;
             }

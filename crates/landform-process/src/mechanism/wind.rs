@@ -6,8 +6,9 @@
 //! linear between the two nodes beside that point. On a torus the sweep starts as many lines before
 //! the seam as a shadow reaches.
 
+use std::ops::Range;
+
 use landform_core::grid::Shape;
-use landform_core::parallel;
 
 /// The order in which a wind crosses a raster.
 #[derive(Clone, Copy, Debug)]
@@ -62,86 +63,129 @@ impl WindScan {
     /// Height of the air that the ground upwind shelters, for every node: the highest of upwind
     /// ground less `drop` for every line that the wind has crossed since, and no lower than the
     /// ground itself. A node lies in shadow where this is above its ground. NaN ground casts no
-    /// shadow. **Cost** O(n), a few ns a node.
-    pub fn shelter(&self, height: impl Fn(usize) -> f32 + Sync, drop: f32, scratch: &mut Vec<f32>, out: &mut [f32]) {
+    /// shadow.
+    ///
+    /// `heights` gives those of a run of nodes from the first on, `found` takes the shelter of a
+    /// run. `relief` is the highest less the lowest ground. **Cost** O(n), about a nanosecond a
+    /// node.
+    pub fn shelter(
+        &self,
+        heights: impl Fn(usize, &mut [f32]),
+        relief: f32,
+        drop: f32,
+        mut found: impl FnMut(usize, &[f32]),
+    ) {
         let (lines, length) = self.scan_lines();
-        // Heights with lines one after the other, so that sweeping reads memory as it lies.
-        scratch.resize(lines * length, 0.0);
-        self.gather(&height, scratch);
-        let (low, high) = scratch.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), &h| (a.min(h), b.max(h)));
-        let reach = if high > low { (((high - low) / drop) as usize).saturating_add(2) } else { 1 };
-        let mut before = vec![f32::NEG_INFINITY; length];
-        let mut here = before.clone();
+        let reach = if relief > 0.0 { ((relief / drop) as usize).saturating_add(2) } else { 1 };
         // On a torus the wind comes from the last lines: from as far as any shadow reaches.
         let lead = if self.torus { reach.min(lines) } else { 0 };
-        for k in 0..lead + lines {
-            let line = if k < lead { lines - lead + k } else { k - lead };
-            let heights = &mut scratch[line * length..(line + 1) * length];
-            self.cast(&before, heights, drop, &mut here);
-            if k >= lead {
-                heights.copy_from_slice(&here);
+        let mut air = Air::new(self, length);
+        // Lines of a band do not lie a power of two apart, where caches would hold few of them.
+        let stride = length + BAND;
+        let mut band = vec![0.0; BAND * stride];
+        for (all, is_told) in [(lines - lead..lines, false), (0..lines, true)] {
+            for first in all.clone().step_by(BAND) {
+                let last = (first + BAND).min(all.end);
+                self.gather(first..last, &heights, &mut band, stride);
+                for line in band.chunks_mut(stride).take(last - first) {
+                    air.cross(&mut line[..length], drop);
+                }
+                if is_told {
+                    self.scatter(first..last, &band, stride, &mut found);
+                }
             }
-            std::mem::swap(&mut before, &mut here);
-        }
-        self.scatter(scratch, out);
-    }
-
-    /// Shelter on a line from that on the line before.
-    fn cast(&self, before: &[f32], heights: &[f32], drop: f32, here: &mut [f32]) {
-        if self.drift == 0.0 {
-            for ((here, &h), &b) in here.iter_mut().zip(heights).zip(before) {
-                *here = h.max(b - drop);
-            }
-            return;
-        }
-        let n = before.len() as i64;
-        let shift = (-self.drift).floor();
-        let (part, shift) = ((-self.drift - shift) as f32, shift as i64);
-        let bring = |at: i64| match (0..n).contains(&at) {
-            true => before[at as usize],
-            false if self.torus => before[at.rem_euclid(n) as usize],
-            false => f32::NEG_INFINITY,
-        };
-        for (at, (here, &h)) in here.iter_mut().zip(heights).enumerate() {
-            let from = at as i64 + shift;
-            let (a, b) = (bring(from), bring(from + 1));
-            let shadow = if part == 0.0 || a == f32::NEG_INFINITY { a } else { a + (b - a) * part };
-            *here = h.max(shadow - drop);
         }
     }
 
-    fn gather(&self, height: &(impl Fn(usize) -> f32 + Sync), into: &mut [f32]) {
+    /// Heights of some lines, one after the other so that sweeping reads memory as it lies.
+    fn gather(&self, band: Range<usize>, heights: &impl Fn(usize, &mut [f32]), into: &mut [f32], stride: usize) {
         let length = self.scan_lines().1;
         if !self.by_cols {
-            parallel::for_rows_mut(into, length, |line, row| {
-                row.iter_mut().enumerate().for_each(|(at, v)| *v = height(self.node(line, at)));
-            });
+            for (line, into) in band.zip(into.chunks_mut(stride)) {
+                heights(self.node(line, 0), &mut into[..length]);
+            }
             return;
         }
-        // Bands of lines share the parts of rows that they read.
-        parallel::for_rows_mut(into, length * BAND, |band, part| {
-            for at in 0..length {
-                for (k, line) in part.chunks_mut(length).enumerate() {
-                    line[at] = height(self.node(band * BAND + k, at));
-                }
+        let mut run = [0.0; BAND];
+        let run = &mut run[..band.len()];
+        for at in 0..length {
+            heights(self.first_of(&band, at), run);
+            for (k, &height) in run.iter().enumerate() {
+                let line = if self.backwards { band.len() - 1 - k } else { k };
+                into[line * stride + at] = height;
             }
-        });
+        }
     }
 
-    fn scatter(&self, from: &[f32], out: &mut [f32]) {
-        let (lines, length) = self.scan_lines();
-        let cols = self.shape.cols;
-        parallel::for_rows_mut(out, cols * BAND, |band, part| {
-            for (k, row) in part.chunks_mut(cols).enumerate() {
-                let r = band * BAND + k;
-                for (c, v) in row.iter_mut().enumerate() {
-                    let (line, at) = if self.by_cols { (c, r) } else { (r, c) };
-                    let line = if self.backwards { lines - 1 - line } else { line };
-                    *v = from[line * length + at];
-                }
+    /// Tells the shelter of some lines, in runs of nodes as they lie in memory.
+    fn scatter(&self, band: Range<usize>, from: &[f32], stride: usize, found: &mut impl FnMut(usize, &[f32])) {
+        let length = self.scan_lines().1;
+        if !self.by_cols {
+            return band.zip(from.chunks(stride)).for_each(|(line, from)| found(self.node(line, 0), &from[..length]));
+        }
+        let mut run = [0.0; BAND];
+        let run = &mut run[..band.len()];
+        for at in 0..length {
+            for (k, air) in run.iter_mut().enumerate() {
+                let line = if self.backwards { band.len() - 1 - k } else { k };
+                *air = from[line * stride + at];
             }
-        });
+            found(self.first_of(&band, at), run);
+        }
     }
+
+    /// The westernmost node of some columns at a place of them.
+    fn first_of(&self, band: &Range<usize>, at: usize) -> usize {
+        self.node(if self.backwards { band.end - 1 } else { band.start }, at)
+    }
+}
+
+/// The sheltered air on the line that the wind crossed last, with some nodes beyond its ends.
+struct Air {
+    line: Vec<f32>,
+    torus: bool,
+    /// Weight of the farther of two nodes, and where the nearer one stands in `line`.
+    part: f32,
+    shift: usize,
+}
+
+impl Air {
+    fn new(scan: &WindScan, length: usize) -> Self {
+        let shift = (-scan.drift).floor();
+        Self {
+            line: vec![f32::NEG_INFINITY; length + 3],
+            torus: scan.torus,
+            part: (-scan.drift - shift) as f32,
+            shift: (shift.clamp(-1.0, 1.0) + 1.0) as usize,
+        }
+    }
+
+    /// Crosses a line: turns its heights into those of its sheltered air.
+    fn cross(&mut self, heights: &mut [f32], drop: f32) {
+        let n = heights.len();
+        let near = &self.line[self.shift..self.shift + n];
+        if self.part == 0.0 {
+            heights.iter_mut().zip(near).for_each(|(h, air)| *h = higher(*h, air - drop));
+        } else {
+            let far = &self.line[self.shift + 1..self.shift + 1 + n];
+            for ((h, &a), &b) in heights.iter_mut().zip(near).zip(far) {
+                let between = a + (b - a) * self.part;
+                let air = if a == f32::NEG_INFINITY { a } else { between };
+                *h = higher(*h, air - drop);
+            }
+        }
+        self.line[1..=n].copy_from_slice(heights);
+        if self.torus {
+            self.line[0] = heights[n - 1];
+            (self.line[n + 1], self.line[n + 2]) = (heights[0], heights[1 % n]);
+        }
+    }
+}
+
+/// The higher of two heights; of NaN ground the shadow over it.
+#[inline]
+fn higher(ground: f32, shadow: f32) -> f32 {
+    if ground > shadow { ground } else { shadow }
 }
 
 /// Lines that are turned together, so that a line of memory serves them all.
@@ -164,7 +208,11 @@ mod tests {
         for (from, towards) in [(270.0, [1.0, 0.0]), (90.0, [-1.0, 0.0]), (0.0, [0.0, -1.0]), (180.0, [0.0, 1.0])] {
             let sweep = WindScan::new(grid.shape, grid.spacing, false, towards);
             let mut out = vec![0.0; 1200];
-            sweep.shelter(|i| z[i] as f32, (0.25 * sweep.line_spacing) as f32, &mut Vec::new(), &mut out);
+            let drop = (0.25 * sweep.line_spacing) as f32;
+            let heights = |first: usize, run: &mut [f32]| {
+                run.iter_mut().zip(&z[first..]).for_each(|(h, &z)| *h = z as f32);
+            };
+            sweep.shelter(heights, 8.0, drop, |first, air| out[first..first + air.len()].copy_from_slice(air));
             let geometric = shadow(&grid, &z, f64::to_radians(from), angle);
             // A line of sight along the very border may leave the map by a rounding error.
             let inner = |i: &usize| (1..29).contains(&(i / 40)) && (1..39).contains(&(i % 40));

@@ -260,12 +260,13 @@ impl Snow {
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i]).collect();
         let mut shelter = vec![0.0f32; surface.len()];
         let fall = (math::tan(self.shadow.si()) * sweep.line_spacing) as f32;
-        sweep.shelter(
-            |i| if surface[i].is_nan() { f32::NEG_INFINITY } else { surface[i] as f32 },
-            fall,
-            &mut Vec::new(),
-            &mut shelter,
-        );
+        let heights = |first: usize, run: &mut [f32]| {
+            for (h, &z) in run.iter_mut().zip(&surface[first..]) {
+                *h = if z.is_nan() { f32::NEG_INFINITY } else { z as f32 };
+            }
+        };
+        // Relief only matters on a torus.
+        sweep.shelter(heights, 0.0, fall, |first, air| shelter[first..first + air.len()].copy_from_slice(air));
         let slope = parallel::map(surface.len(), |i| {
             let g = gradient(grid, &surface, i);
             let along = g.x * towards[0] + g.y * towards[1];

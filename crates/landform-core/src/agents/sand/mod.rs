@@ -1,6 +1,10 @@
 //! Loose material in slabs that slips at the angle of repose.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
+
+mod slip;
 
 use crate::grid::Shape;
 use crate::math;
@@ -28,8 +32,8 @@ pub struct Sand {
     torus: bool,
     /// Top of ground and sand, units.
     surface: Vec<i32>,
-    /// Sand, units; negative marks sites that swallow what falls on them.
-    depth: Vec<i32>,
+    /// What lies on each site, in a word: the parts of [`word`].
+    sites: Vec<u32>,
     /// Greatest step to a neighbour along x, along y and diagonally, units.
     steps: [i32; 3],
     /// Units that slip at once.
@@ -39,11 +43,44 @@ pub struct Sand {
     pending: Vec<usize>,
 }
 
-/// Depth of sites that swallow.
-const SINK: i32 = -1;
-/// (column, row, which of the steps), nearest first so that ties go along the axes.
-const AROUND: [(i32, i32, usize); 8] =
-    [(1, 0, 0), (0, -1, 1), (-1, 0, 0), (0, 1, 1), (1, -1, 2), (-1, -1, 2), (-1, 1, 2), (1, 1, 2)];
+/// Parts of a site's word. Whether the wind finds sand there, and whether what lands stays, are one
+/// comparison each.
+mod word {
+    /// Whether what lands stays for certain; always of sinks.
+    pub(super) const KEEPS: u32 = 1 << 31;
+    /// Whether the site swallows what falls on it.
+    pub(super) const SINK: u32 = 1 << 30;
+    /// A unit of sand.
+    pub(super) const UNIT: u32 = 2;
+    /// Whether the site is on a side of the field.
+    pub(super) const RIM: u32 = 1;
+}
+
+/// Greatest depth of sand of a site, units.
+const MOST: i32 = (1 << 29) - 1;
+
+/// Sand of a site's word, units.
+#[inline]
+fn depth_of(site: u32) -> i32 {
+    ((site & !(word::KEEPS | word::SINK)) / word::UNIT) as i32
+}
+
+/// Which sites of a field of sand are in shelter. At the beginning none is.
+pub struct Shelter<'a> {
+    sites: &'a mut [u32],
+}
+
+impl Shelter<'_> {
+    /// Marks which of a run of sites are in shelter, from the first on.
+    #[inline]
+    pub fn set(&mut self, first: usize, are_sheltered: &[bool]) {
+        for (site, &is_sheltered) in self.sites[first..].iter_mut().zip(are_sheltered) {
+            // A sink keeps what lands, sheltered or not.
+            let of_sink = (*site & word::SINK) * (word::KEEPS / word::SINK);
+            *site = (*site & !word::KEEPS) | of_sink | (u32::from(is_sheltered) * word::KEEPS);
+        }
+    }
+}
 
 impl Sand {
     /// Sand of depth 0 on hard ground.
@@ -52,13 +89,16 @@ impl Sand {
     /// is given as tan times the spacing over the height of a unit, for steps along x, y and the
     /// diagonal in turn: see [`Sand::steps_of`].
     pub fn new(shape: Shape, torus: bool, ground: Vec<i32>, steps: [i32; 3], slab: i32) -> Self {
-        let depth = vec![0; ground.len()];
+        let Shape { rows, cols } = shape;
+        let is_rim = |row: usize, col: usize| row == 0 || row + 1 == rows || col == 0 || col + 1 == cols;
+        let places = (0..rows).flat_map(|row| (0..cols).map(move |col| (row, col)));
         Self {
             shape,
             torus,
             surface: ground,
-            depth,
-            steps: steps.map(|s| s.max(1)),
+            sites: places.map(|(row, col)| if is_rim(row, col) { word::RIM } else { 0 }).collect(),
+            // No drop is greater.
+            steps: steps.map(|s| s.clamp(1, 1 << 29)),
             slab: slab.max(1),
             swallowed: 0,
             pending: Vec::new(),
@@ -90,18 +130,45 @@ impl Sand {
     /// Sand at a site, units.
     #[inline]
     pub fn depth(&self, site: usize) -> i32 {
-        self.depth[site].max(0)
+        depth_of(self.sites[site])
+    }
+
+    /// Whether sand lies at a site that the wind reaches: see [`Sand::shelter`].
+    #[inline]
+    pub fn is_exposed(&self, site: usize) -> bool {
+        self.sites[site] as i32 >= word::UNIT as i32
+    }
+
+    /// Whether sand that lands at a site stays for certain: it is a sink or in shelter.
+    #[inline]
+    pub fn keeps(&self, site: usize) -> bool {
+        self.sites[site] & word::KEEPS != 0
+    }
+
+    /// The surface, units, and the shelter of the sites, to be marked from it.
+    pub fn shelter(&mut self) -> (&[i32], Shelter<'_>) {
+        (&self.surface, Shelter { sites: &mut self.sites })
     }
 
     /// Whether a site swallows sand.
     #[inline]
     pub fn is_sink(&self, site: usize) -> bool {
-        self.depth[site] < 0
+        self.sites[site] & word::SINK != 0
+    }
+
+    /// Sand of every site, units.
+    pub fn depths(&self) -> impl Iterator<Item = i32> {
+        self.depths_of(0..self.sites.len())
+    }
+
+    /// Sand of a range of sites, units.
+    pub fn depths_of(&self, sites: Range<usize>) -> impl Iterator<Item = i32> {
+        self.sites[sites].iter().map(|&site| depth_of(site))
     }
 
     /// All sand on the field, units.
     pub fn total(&self) -> i64 {
-        self.depth.iter().map(|&d| i64::from(d.max(0))).sum()
+        self.depths().map(i64::from).sum()
     }
 
     /// Sand that sinks took so far, units.
@@ -117,18 +184,24 @@ impl Sand {
     /// Sets the height of the hard ground and the sand on it, after a change from outside. Sand
     /// that is then too steep slips when it is next touched; sites that swallow keep no sand.
     pub fn set_site(&mut self, site: usize, ground: i32, depth: i32) {
-        if !self.is_sink(site) {
-            self.depth[site] = depth.max(0);
-        }
-        self.surface[site] = ground + self.depth(site);
+        let lying = self.depth(site);
+        let depth = if self.is_sink(site) { 0 } else { depth.clamp(0, MOST) };
+        self.add(site, depth - lying);
+        self.surface[site] = ground + depth;
+    }
+
+    /// Adds sand, or takes away what is known to lie there.
+    #[inline]
+    fn add(&mut self, site: usize, units: i32) {
+        self.sites[site] = self.sites[site].wrapping_add((units as u32).wrapping_mul(word::UNIT));
+        self.surface[site] += units;
     }
 
     /// Takes up to `units` of sand without letting any slip; call [`Sand::settle`] after. Returns
     /// the units taken.
     pub fn lift(&mut self, site: usize, units: i32) -> i32 {
         let taken = units.min(self.depth(site));
-        self.depth[site] -= taken.max(0);
-        self.surface[site] -= taken.max(0);
+        self.add(site, -taken.max(0));
         taken
     }
 
@@ -140,9 +213,9 @@ impl Sand {
     /// Makes a site a sink: it swallows the sand that falls on it and the sand that lies there.
     pub fn make_sink(&mut self, site: usize) {
         let lying = self.depth(site);
-        self.surface[site] -= lying;
+        self.add(site, -lying);
         self.swallowed += i64::from(lying);
-        self.depth[site] = SINK;
+        self.sites[site] |= word::SINK | word::KEEPS;
     }
 
     /// Puts sand without letting it slip: for beginnings; call [`Sand::settle`] after.
@@ -150,8 +223,7 @@ impl Sand {
         if self.is_sink(site) {
             self.swallowed += i64::from(units);
         } else {
-            self.depth[site] += units;
-            self.surface[site] += units;
+            self.add(site, units);
         }
     }
 
@@ -162,8 +234,7 @@ impl Sand {
             self.swallowed += i64::from(units);
             return;
         }
-        self.depth[site] += units;
-        self.surface[site] += units;
+        self.add(site, units);
         self.slip_from(site);
     }
 
@@ -172,8 +243,7 @@ impl Sand {
     pub fn take(&mut self, site: usize, units: i32) -> i32 {
         let taken = units.min(self.depth(site));
         if taken > 0 {
-            self.depth[site] -= taken;
-            self.surface[site] -= taken;
+            self.add(site, -taken);
             self.slip_into(site);
         }
         taken
@@ -182,140 +252,8 @@ impl Sand {
     /// Lets all sand slip that is too steep.
     pub fn settle(&mut self) {
         for site in 0..self.shape.len() {
-            if self.depth[site] > 0 {
+            if self.depth(site) > 0 {
                 self.slip_from(site);
-            }
-        }
-    }
-
-    /// Row and column of a site; 32-bit division is several times as fast.
-    #[inline]
-    fn place(&self, site: usize) -> (usize, usize) {
-        let (site, cols) = (site as u32, self.shape.cols as u32);
-        ((site / cols) as usize, (site % cols) as usize)
-    }
-
-    /// The neighbour in a direction; none over a side that sand does not slip over.
-    #[inline]
-    fn beside(&self, site: usize, col: usize, row: usize, by: (i32, i32, usize)) -> Option<usize> {
-        let Shape { rows, cols } = self.shape;
-        // Wrapping arithmetic takes care of -1.
-        let (c, r) = (col.wrapping_add_signed(by.0 as isize), row.wrapping_add_signed(by.1 as isize));
-        if c < cols && r < rows {
-            return Some((site as isize + by.1 as isize * cols as isize + by.0 as isize) as usize);
-        }
-        let wrap = |at: usize, n: usize| if at == n { 0 } else { at.min(n - 1) };
-        self.torus.then(|| self.shape.index(wrap(r, rows), wrap(c, cols)))
-    }
-
-    /// The neighbour that the site stands above by most over what is allowed, if it does.
-    #[inline]
-    fn downhill(&self, site: usize) -> Option<usize> {
-        let z = self.surface[site];
-        let Shape { rows, cols } = self.shape;
-        let (row, col) = self.place(site);
-        let [x, y, d] = self.steps;
-        if row > 0 && row + 1 < rows && col > 0 && col + 1 < cols {
-            // Almost always at rest: one look without branches.
-            let s = &self.surface;
-            let (up, at, down) =
-                (&s[site - cols - 1..site - cols + 2], &s[site - 1..site + 2], &s[site + cols - 1..site + cols + 2]);
-            let along = up[1].min(down[1]).saturating_add(y).min(at[0].min(at[2]).saturating_add(x));
-            let across = up[0].min(up[2]).min(down[0].min(down[2])).saturating_add(d);
-            if z <= along.min(across) {
-                return None;
-            }
-        }
-        self.extreme(site, col, row, |n| Some(z - self.surface[n]))
-    }
-
-    /// The neighbour with sand that stands above the site by most over what is allowed, if one
-    /// does.
-    #[inline]
-    fn uphill(&self, site: usize) -> Option<usize> {
-        let z = self.surface[site];
-        let Shape { rows, cols } = self.shape;
-        let (row, col) = self.place(site);
-        let [x, y, d] = self.steps;
-        if row > 0 && row + 1 < rows && col > 0 && col + 1 < cols {
-            let s = &self.surface;
-            let (up, at, down) =
-                (&s[site - cols - 1..site - cols + 2], &s[site - 1..site + 2], &s[site + cols - 1..site + cols + 2]);
-            let along = (up[1].max(down[1]) - y).max(at[0].max(at[2]) - x);
-            let across = up[0].max(up[2]).max(down[0].max(down[2])) - d;
-            if z >= along.max(across) {
-                return None;
-            }
-        }
-        self.extreme(site, col, row, |n| (self.depth[n] > 0).then(|| self.surface[n] - z))
-    }
-
-    /// The neighbour for which `drop` is most over what is allowed; none where it is not, or there
-    /// is no drop.
-    fn extreme(&self, site: usize, col: usize, row: usize, drop: impl Fn(usize) -> Option<i32>) -> Option<usize> {
-        let mut best = (0, None);
-        for by in AROUND {
-            if let Some(n) = self.beside(site, col, row, by)
-                && let Some(drop) = drop(n)
-            {
-                let over = drop - self.steps[by.2];
-                if over > best.0 {
-                    best = (over, Some(n));
-                }
-            }
-        }
-        best.1
-    }
-
-    #[inline]
-    fn slip_from(&mut self, site: usize) {
-        if let Some(to) = self.downhill(site) {
-            self.pending.clear();
-            self.fall(site, to);
-            self.avalanche();
-        }
-    }
-
-    #[inline]
-    fn slip_into(&mut self, site: usize) {
-        if let Some(from) = self.uphill(site) {
-            self.pending.clear();
-            self.fall(from, site);
-            self.avalanche();
-        }
-    }
-
-    /// Moves a slab from a site to a lower neighbour; both sites and those above the first are
-    /// examined again.
-    fn fall(&mut self, from: usize, to: usize) {
-        // At most half of the drop, so that every fall brings sand down and avalanches end; where
-        // it towers, more than a slab at once.
-        let drop = self.surface[from] - self.surface[to];
-        let over = drop - self.steps[0].max(self.steps[1]).max(self.steps[2]);
-        let amount = self.slab.max(over / 4).min(self.depth[from]).min((drop / 2).max(1));
-        self.depth[from] -= amount;
-        self.surface[from] -= amount;
-        if self.is_sink(to) {
-            self.swallowed += i64::from(amount);
-        } else {
-            self.depth[to] += amount;
-            self.surface[to] += amount;
-        }
-        self.pending.extend([from, to]);
-    }
-
-    fn avalanche(&mut self) {
-        while let Some(site) = self.pending.pop() {
-            if self.depth[site] > 0
-                && let Some(to) = self.downhill(site)
-            {
-                self.fall(site, to);
-            } else if !self.is_sink(site)
-                && let Some(from) = self.uphill(site)
-            {
-                self.fall(from, site);
-                // There may be more above.
-                self.pending.push(site);
             }
         }
     }
@@ -323,16 +261,16 @@ impl Sand {
 
 #[cfg(test)]
 mod tests {
+    use super::slip::AROUND;
     use super::*;
     use crate::random::Seed;
 
     fn worst(sand: &Sand) -> i32 {
         let mut worst = i32::MIN;
         for site in 0..sand.shape.len() {
-            if sand.depth[site] > 0 {
-                let (row, col) = (site / sand.shape.cols, site % sand.shape.cols);
+            if sand.depth(site) > 0 {
                 for by in AROUND {
-                    if let Some(n) = sand.beside(site, col, row, by) {
+                    if let Some(n) = sand.beside(site, by) {
                         worst = worst.max(sand.surface[site] - sand.surface[n] - sand.steps[by.2]);
                     }
                 }
