@@ -95,7 +95,7 @@ impl Node {
         Some(entries.remove(at))
     }
 
-    /// Where the value at a path of keys stands ("grid.cell_size", "effects[0].rules"), or as much
+    /// Where the value at a path of keys stands (`grid.cell_size`, `effects[0].rules`), or as much
     /// of the path as there is.
     pub(super) fn span_at(&self, path: &str) -> Range<usize> {
         let (first, rest) = path.split_once('.').unwrap_or((path, ""));

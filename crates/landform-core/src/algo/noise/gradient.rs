@@ -39,6 +39,34 @@ pub fn gradient_noise(seed: Seed, x: f64, y: f64) -> f64 {
     within(corners.map(|(dx, dy)| direction(seed, x0 + dx, y0 + dy)), x - x0, y - y0)
 }
 
+/// Gradient noise at (x, y) and how it rises along x and y, lattice spacing 1. **Cost** about half
+/// as much again as [`gradient_noise`].
+///
+/// ```
+/// use landform_core::algo::noise::{gradient_noise, gradient_noise_and_rise};
+/// use landform_core::random::Seed;
+///
+/// let (value, [east, _]) = gradient_noise_and_rise(Seed(1), 0.3, 0.7);
+/// assert_eq!(value, gradient_noise(Seed(1), 0.3, 0.7));
+/// let rise = (gradient_noise(Seed(1), 0.301, 0.7) - gradient_noise(Seed(1), 0.299, 0.7)) / 0.002;
+/// assert!((east - rise).abs() < 1e-4);
+/// ```
+pub fn gradient_noise_and_rise(seed: Seed, x: f64, y: f64) -> (f64, [f64; 2]) {
+    let (x0, y0) = (floor(x), floor(y));
+    let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
+    let g = corners.map(|(dx, dy)| direction(seed, x0 + dx, y0 + dy));
+    let (fx, fy) = (x - x0, y - y0);
+    let plane = |k: usize| g[k][0] * (fx - corners[k].0) + g[k][1] * (fy - corners[k].1);
+    let planes = [0, 1, 2, 3].map(plane);
+    let (u, v) = (fade(fx), fade(fy));
+    let fade_rise = |t: f64| 30.0 * t * t * (t - 1.0) * (t - 1.0);
+    let mean = |k: usize| lerp(lerp(g[0][k], g[1][k], u), lerp(g[2][k], g[3][k], u), v);
+    let across_x = lerp(planes[1] - planes[0], planes[3] - planes[2], v);
+    let across_y = lerp(planes[2] - planes[0], planes[3] - planes[1], u);
+    let rise = [mean(0) + fade_rise(fx) * across_x, mean(1) + fade_rise(fy) * across_y];
+    (within(g, fx, fy), rise.map(|r| std::f64::consts::SQRT_2 * r))
+}
+
 /// Gradient noise at many points, lattice spacing 1. The gradients of a lattice cell are kept while
 /// points stay in it, so points in line cost a few operations each; the bits are those of
 /// [`gradient_noise`].
@@ -65,11 +93,14 @@ fn direction(seed: Seed, x: f64, y: f64) -> [f64; 2] {
     DIRECTIONS[(seed.bits(key) >> 60) as usize]
 }
 
+fn fade(t: f64) -> f64 {
+    t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
+}
+
 /// Noise in a lattice cell from the gradients at its corners (south-west, south-east, north-west,
 /// north-east).
 fn within(g: [[f64; 2]; 4], fx: f64, fy: f64) -> f64 {
     let dot = |g: [f64; 2], dx: f64, dy: f64| g[0] * (fx - dx) + g[1] * (fy - dy);
-    let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     let (u, v) = (fade(fx), fade(fy));
     std::f64::consts::SQRT_2
         * lerp(lerp(dot(g[0], 0.0, 0.0), dot(g[1], 1.0, 0.0), u), lerp(dot(g[2], 0.0, 1.0), dot(g[3], 1.0, 1.0), u), v)

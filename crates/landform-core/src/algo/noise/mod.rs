@@ -21,6 +21,6 @@ mod spectral;
 pub use basis::Basis;
 pub use faults::{Faults, faults};
 pub use fractal::{Fractal, FractalKind};
-pub use gradient::{fbm, gradient_noise};
+pub use gradient::{fbm, gradient_noise, gradient_noise_and_rise};
 pub use midpoint::{Midpoint, Subdivision};
 pub use spectral::{self_affine, spectral_surface, surroundings};

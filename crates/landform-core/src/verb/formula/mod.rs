@@ -47,7 +47,8 @@ impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// [`Error::Formula`] if the text is no formula, with the position of the wrong character.
+    /// [`Error::Formula`](crate::Error::Formula) if the text is no formula, with the position of
+    /// the wrong character.
     pub fn parse(text: &str) -> Result<Self> {
         Ok(Self { text: text.into(), steps: parse(text, None)?.steps })
     }

@@ -27,7 +27,7 @@ use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, Refine};
 
 use super::Picture;
-use super::colour::{Rgb, scale, to_srgb};
+use super::colour::{Rgb, blend, scale, to_srgb};
 pub(crate) use block_view::BlockView;
 use camera::Camera;
 use scene::Scene;
@@ -114,19 +114,34 @@ pub fn perspective(field: &HeightField, view: &View) -> Picture {
     let samples = view.samples.clamp(1, 8);
     let pixels = parallel::map(shape.len(), |i| {
         let pixel = shape.cell(i);
-        let mut sum = [0.0; 3];
-        for s in 0..samples * samples {
+        let colour = mean_colour(samples, |s| {
             let seed = Seed(i as u64).with(s as u64);
             let x = pixel.col as f64 + ((s % samples) as f64 + seed.uniform(0)) / samples as f64;
             let y = pixel.row as f64 + ((s / samples) as f64 + seed.uniform(1)) / samples as f64;
-            let colour = tone(scene.trace(camera.at, camera.ray(x / shape.cols as f64, y / shape.rows as f64), angle));
-            sum = [0, 1, 2].map(|k| sum[k] + colour[k]);
-        }
+            tone(scene.trace(camera.at, camera.ray(x / shape.cols as f64, y / shape.rows as f64), angle))
+        });
         // A wide sky would show the steps of eight bits.
         let dither = if view.standpoint.is_some() { 0.012 * (Seed(i as u64).uniform(2) - 0.5) } else { 0.0 };
-        to_srgb(scale(sum, (1.0 + dither) / (samples * samples) as f64))
+        to_srgb(scale(colour, 1.0 + dither))
     });
     Picture { shape, pixels }
+}
+
+/// Difference of two rays of a pixel, in linear light, up to which they stand for all of its rays.
+const ALIKE: f64 = 0.02;
+
+/// Mean colour of a pixel of `samples` by `samples` rays. Two at opposite corners are enough where
+/// they are alike.
+fn mean_colour(samples: usize, ray: impl Fn(usize) -> Rgb) -> Rgb {
+    let all = samples * samples;
+    let (first, last) = (ray(0), ray(all - 1));
+    if all > 2 && (0..3).any(|k| (first[k] - last[k]).abs() > ALIKE) {
+        let sum = (1..all - 1)
+            .map(ray)
+            .fold([0, 1, 2].map(|k| first[k] + last[k]), |sum, colour| [0, 1, 2].map(|k| sum[k] + colour[k]));
+        return scale(sum, 1.0 / all as f64);
+    }
+    blend(first, last, 0.5)
 }
 
 /// Compresses highlights (Reinhard's curve with a white point), so that snow keeps its shading.

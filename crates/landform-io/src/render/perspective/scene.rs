@@ -1,7 +1,7 @@
 //! The land as rays meet it: its surface, its light, its colours.
 
 use landform_core::algo::derivative::gradient;
-use landform_core::algo::noise::{fbm, gradient_noise};
+use landform_core::algo::noise::{fbm, gradient_noise_and_rise};
 use landform_core::grid::{Grid, Shape};
 use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, NodeSurface};
@@ -28,7 +28,6 @@ const CLEAR_AIR: f64 = 24_000.0;
 const CLEAR: f64 = 0.9;
 
 /// All values of a node that shading needs.
-#[derive(Clone, Copy, Default)]
 struct Skin {
     normal: Vector,
     colour: Rgb,
@@ -40,6 +39,16 @@ struct Skin {
     roughness: f64,
 }
 
+/// Values of a [`Skin`] in the order of its fields, in half of the memory.
+type StoredSkin = [f32; 10];
+
+impl Skin {
+    fn stored(&self) -> StoredSkin {
+        let ([nx, ny, nz], [red, green, blue]) = (self.normal, self.colour);
+        [nx, ny, nz, red, green, blue, self.sky, self.sun, self.water, self.roughness].map(|v| v as f32)
+    }
+}
+
 /// The block in local metres: x east, y north from the south-west corner, elevations exaggerated.
 pub(super) struct Scene<'a> {
     field: &'a HeightField,
@@ -49,7 +58,7 @@ pub(super) struct Scene<'a> {
     pub(super) extent: [f64; 2],
     /// Surface, water included.
     surface: Vec<f64>,
-    skin: Vec<Skin>,
+    skin: Vec<StoredSkin>,
     pyramid: Pyramid,
     pub(super) low: f64,
     pub(super) high: f64,
@@ -120,14 +129,15 @@ impl<'a> Scene<'a> {
         let skin = parallel::map(ground.len(), |i| {
             let g = gradient(grid, &ground, i);
             let normal = if depth[i] > 0.0 { water_normal(grid, &surface, i) } else { normalize([-g.x, -g.y, 1.0]) };
-            Skin {
+            let skin = Skin {
                 normal,
                 colour: paint.ground(grid, &ground, i),
                 sky: seen_sky[i],
                 sun: sun[i],
                 water: if is_within { depth[i].max(stream[i]) } else { depth[i] },
                 roughness: paint.roughness(i),
-            }
+            };
+            skin.stored()
         });
         let ca = math::cos(view.sun_altitude);
         let pyramid = Pyramid::new(grid.shape, &surface);
@@ -357,20 +367,12 @@ impl<'a> Scene<'a> {
     fn skin_at(&self, p: Vector) -> Skin {
         let (k, [u, v]) = self.corners(p);
         let weights = [(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v];
-        let mut s = Skin { normal: [0.0; 3], colour: [0.0; 3], sky: 0.0, sun: 0.0, water: 0.0, roughness: 0.0 };
+        let mut mean = [0.0; 10];
         for (i, w) in k.into_iter().zip(weights) {
-            let o = &self.skin[i];
-            for n in 0..3 {
-                s.normal[n] += w * o.normal[n];
-                s.colour[n] += w * o.colour[n];
-            }
-            s.sky += w * o.sky;
-            s.sun += w * o.sun;
-            s.water += w * o.water;
-            s.roughness += w * o.roughness;
+            mean.iter_mut().zip(&self.skin[i]).for_each(|(mean, v)| *mean += w * f64::from(*v));
         }
-        s.normal = normalize(s.normal);
-        s
+        let [nx, ny, nz, red, green, blue, sky, sun, water, roughness] = mean;
+        Skin { normal: normalize([nx, ny, nz]), colour: [red, green, blue], sky, sun, water, roughness }
     }
 
     /// The colour of a point of the surface, seen along a direction, from outside the block or from
@@ -414,14 +416,9 @@ impl<'a> Scene<'a> {
             if seen <= 0.0 {
                 break;
             }
-            let at = |dx: f64, dy: f64| {
-                let moved = [p[0] + dx, p[1] + dy, p[2] - fall[0] * dx - fall[1] * dy];
-                grain(Seed(20 + k as u64), moved.map(|v| v / wave), normal)
-            };
-            let (here, step) = (at(0.0, 0.0), 0.15 * wave);
+            let (here, rise) = grain(Seed(20 + k as u64), p.map(|v| v / wave), normal);
             tone += seen * here;
-            bump[0] += seen * (at(step, 0.0) - here) / 0.15;
-            bump[1] += seen * (at(0.0, step) - here) / 0.15;
+            (0..2).for_each(|k| bump[k] += seen * (rise[k] - fall[k] * rise[2]));
         }
         skin.colour = scale(skin.colour, 1.0 + 0.17 * skin.roughness * tone.clamp(-1.5, 1.5));
         let bump = bump.map(|b| 0.045 * skin.roughness * b);
@@ -451,15 +448,22 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Noise on a surface, seen along the axes that it faces: on steep ground it is not drawn out.
-fn grain(seed: Seed, p: Vector, normal: Vector) -> f64 {
+/// Noise on a surface, seen along the axes that it faces, and how it rises along x, y and z: on
+/// steep ground it is not drawn out.
+fn grain(seed: Seed, p: Vector, normal: Vector) -> (f64, Vector) {
     let weights = normal.map(|n| (n * n - 0.1).max(0.0));
-    let planes = [(p[1], p[2]), (p[0], p[2]), (p[0], p[1])];
-    let sum = (0..3).filter(|&k| weights[k] > 0.0).map(|k| {
-        let (u, v) = planes[k];
-        weights[k] * gradient_noise(seed.with(k as u64), u, v)
-    });
-    sum.sum::<f64>() / weights.iter().map(|w| w * w).sum::<f64>().sqrt().max(1e-9)
+    let per_weight = 1.0 / weights.iter().map(|w| w * w).sum::<f64>().sqrt().max(1e-9);
+    let (mut sum, mut rise) = (0.0, [0.0; 3]);
+    for (k, [u, v]) in [[1, 2], [0, 2], [0, 1]].into_iter().enumerate() {
+        let weight = weights[k] * per_weight;
+        if weight > 0.0 {
+            let (value, [along_u, along_v]) = gradient_noise_and_rise(seed.with(k as u64), p[u], p[v]);
+            sum += weight * value;
+            rise[u] += weight * along_u;
+            rise[v] += weight * along_v;
+        }
+    }
+    (sum, rise)
 }
 
 /// Part of the border that lies below 0.
