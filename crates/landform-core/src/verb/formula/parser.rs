@@ -50,7 +50,7 @@ const NO_WORDS: Words<'static> =
 /// Reads a formula in which a stage's words may stand, where it has any.
 ///
 /// # Errors
-/// [`Error::Formula`](crate::Error::Formula) if the text is no formula, with the position of the
+/// [`Error::Formula`] if the text is no formula, with the position of the
 /// wrong character.
 pub(super) fn parse(text: &str, words: Option<Words>) -> Result<Program> {
     let words = words.unwrap_or(NO_WORDS);
