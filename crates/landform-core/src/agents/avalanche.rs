@@ -105,6 +105,13 @@ impl Stencil {
     }
 
     /// Columns east, rows south and weight of every site that an event reaches.
+    ///
+    /// ```
+    /// use landform_core::agents::{Falloff, Stencil};
+    ///
+    /// let disc = Stencil::disc([10.0; 2], 10.0, Falloff::Constant);
+    /// assert_eq!(disc.offsets().count(), 5);
+    /// ```
     pub fn offsets(&self) -> impl Iterator<Item = (i32, i32, f64)> {
         self.reach.iter().copied()
     }

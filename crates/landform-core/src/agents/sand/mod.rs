@@ -66,12 +66,32 @@ fn depth_of(site: u32) -> i32 {
 }
 
 /// Which sites of a field of sand are in shelter. At the beginning none is.
+///
+/// ```
+/// use landform_core::agents::Sand;
+/// use landform_core::grid::Shape;
+///
+/// let mut sand = Sand::new(Shape::new(1, 3), false, vec![0; 3], [9; 3], 1);
+/// sand.shelter().1.set(0, &[true, true]);
+/// assert_eq!([0, 1, 2].map(|site| sand.keeps(site)), [true, true, false]);
+/// ```
 pub struct Shelter<'a> {
     sites: &'a mut [u32],
 }
 
 impl Shelter<'_> {
     /// Marks which of a run of sites are in shelter, from the first on.
+    ///
+    /// ```
+    /// use landform_core::agents::Sand;
+    /// use landform_core::grid::Shape;
+    ///
+    /// let mut sand = Sand::new(Shape::new(1, 3), false, vec![0; 3], [9; 3], 1);
+    /// sand.put(1, 4);
+    /// sand.shelter().1.set(1, &[true]);
+    /// sand.shelter().1.set(1, &[false]);
+    /// assert!(sand.is_exposed(1));
+    /// ```
     #[inline]
     pub fn set(&mut self, first: usize, are_sheltered: &[bool]) {
         for (site, &is_sheltered) in self.sites[first..].iter_mut().zip(are_sheltered) {
@@ -134,18 +154,49 @@ impl Sand {
     }
 
     /// Whether sand lies at a site that the wind reaches: see [`Sand::shelter`].
+    ///
+    /// ```
+    /// use landform_core::agents::Sand;
+    /// use landform_core::grid::Shape;
+    ///
+    /// let mut sand = Sand::new(Shape::new(1, 3), false, vec![0; 3], [9; 3], 1);
+    /// sand.put(1, 4);
+    /// assert_eq!([0, 1].map(|site| sand.is_exposed(site)), [false, true]);
+    /// ```
     #[inline]
     pub fn is_exposed(&self, site: usize) -> bool {
         self.sites[site] as i32 >= word::UNIT as i32
     }
 
     /// Whether sand that lands at a site stays for certain: it is a sink or in shelter.
+    ///
+    /// ```
+    /// use landform_core::agents::Sand;
+    /// use landform_core::grid::Shape;
+    ///
+    /// let mut sand = Sand::new(Shape::new(1, 3), false, vec![0; 3], [9; 3], 1);
+    /// sand.put(1, 4);
+    /// sand.make_sink(2);
+    /// assert_eq!([1, 2].map(|site| sand.keeps(site)), [false, true]);
+    /// ```
     #[inline]
     pub fn keeps(&self, site: usize) -> bool {
         self.sites[site] & word::KEEPS != 0
     }
 
     /// The surface, units, and the shelter of the sites, to be marked from it.
+    ///
+    /// ```
+    /// use landform_core::agents::Sand;
+    /// use landform_core::grid::Shape;
+    ///
+    /// let mut sand = Sand::new(Shape::new(1, 3), false, vec![0; 3], [9; 3], 1);
+    /// sand.put(1, 4);
+    /// let (surface, mut shelter) = sand.shelter();
+    /// assert_eq!(surface, [0, 4, 0]);
+    /// shelter.set(1, &[true, false]);
+    /// assert!(sand.keeps(1) && !sand.is_exposed(1));
+    /// ```
     pub fn shelter(&mut self) -> (&[i32], Shelter<'_>) {
         (&self.surface, Shelter { sites: &mut self.sites })
     }
@@ -157,11 +208,29 @@ impl Sand {
     }
 
     /// Sand of every site, units.
+    ///
+    /// ```
+    /// use landform_core::agents::Sand;
+    /// use landform_core::grid::Shape;
+    ///
+    /// let mut sand = Sand::new(Shape::new(1, 3), false, vec![0; 3], [9; 3], 1);
+    /// sand.put(1, 4);
+    /// assert!(sand.depths().eq([0, 4, 0]));
+    /// ```
     pub fn depths(&self) -> impl Iterator<Item = i32> {
         self.depths_of(0..self.sites.len())
     }
 
     /// Sand of a range of sites, units.
+    ///
+    /// ```
+    /// use landform_core::agents::Sand;
+    /// use landform_core::grid::Shape;
+    ///
+    /// let mut sand = Sand::new(Shape::new(1, 3), false, vec![0; 3], [9; 3], 1);
+    /// sand.put(1, 4);
+    /// assert!(sand.depths_of(1..3).eq([4, 0]));
+    /// ```
     pub fn depths_of(&self, sites: Range<usize>) -> impl Iterator<Item = i32> {
         self.sites[sites].iter().map(|&site| depth_of(site))
     }
