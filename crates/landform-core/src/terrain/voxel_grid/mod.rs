@@ -8,6 +8,7 @@ mod ground;
 use serde::{Deserialize, Serialize};
 
 use super::{Bounds, Kind, Materials, Terrain};
+use crate::feature::Features;
 use crate::grid::{Grid, Shape};
 use crate::{Error, Result, parallel};
 
@@ -37,6 +38,9 @@ pub struct VoxelGrid {
     /// Numbers of materials, level by level from the underside, each in the order of the plan's
     /// nodes.
     voxels: Vec<u8>,
+    /// Passages and other features in the ground.
+    #[serde(default)]
+    features: Features,
 }
 
 impl VoxelGrid {
@@ -70,7 +74,7 @@ impl VoxelGrid {
         if let Some(i) = parallel::find_first(count, |i| voxels[i] != EMPTY && voxels[i] >= most) {
             return Err(Error::parameter("material", voxels[i], &format!("a number below {most}")));
         }
-        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels })
+        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels, features: Features::default() })
     }
 
     /// The raster over whose nodes the columns stand.
@@ -91,6 +95,16 @@ impl VoxelGrid {
     /// Height of a voxel, m.
     pub fn height(&self) -> f64 {
         self.height
+    }
+
+    /// Passages, entrances and other features that a stage found or made.
+    pub fn features(&self) -> &Features {
+        &self.features
+    }
+
+    /// Features, to change.
+    pub fn features_mut(&mut self) -> &mut Features {
+        &mut self.features
     }
 
     /// The materials that numbers stand for.
