@@ -17,19 +17,21 @@
 mod coast;
 mod dunes;
 mod landscape;
+mod network;
 mod simple;
 mod summary;
 
 pub use coast::{CoastMeasured, MeasureCoast};
 pub use dunes::MeasureDunes;
 pub use landscape::MeasureLandscape;
+pub use network::MeasureNetwork;
 pub use simple::{
     DrainageMeasured, MeasureDirections, MeasureDrainage, MeasureHypsometry, MeasureSpectrum, MeasureSurface,
     SpectrumMeasured, SurfaceMeasured,
 };
 pub use summary::{MeasureSummary, Measured};
 
-use landform_core::terrain::{HeightField, Mesh};
+use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
 landform_core::stages! {
     measure MeasureSummary where HeightField, Mesh;
@@ -39,6 +41,7 @@ landform_core::stages! {
     measure MeasureDunes where HeightField;
     measure MeasureHypsometry where HeightField, Mesh;
     measure MeasureLandscape where HeightField, Mesh;
+    measure MeasureNetwork where HeightField, Mesh, VoxelGrid;
     measure MeasureSpectrum where HeightField, Mesh;
     measure MeasureSurface where HeightField, Mesh;
 }
