@@ -10,6 +10,7 @@ pub mod dune;
 pub mod edit;
 pub mod generate;
 pub mod hillslope;
+pub mod karst;
 pub mod mechanism;
 pub mod snow;
 pub mod stream_power;
@@ -30,5 +31,6 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     snow::STAGES,
     streams::STAGES,
     basin::STAGES,
+    karst::STAGES,
     volume::STAGES,
 ];
