@@ -3,6 +3,7 @@
 //! A column of voxels stands over each node of a raster. Levels count upwards from the underside.
 
 mod erode;
+mod fields;
 mod ground;
 
 use serde::{Deserialize, Serialize};
@@ -37,6 +38,9 @@ pub struct VoxelGrid {
     /// Numbers of materials, level by level from the underside, each in the order of the plan's
     /// nodes.
     voxels: Vec<u8>,
+    /// Named values, each in the order of the voxels.
+    #[serde(default)]
+    fields: Vec<(String, Vec<f32>)>,
 }
 
 impl VoxelGrid {
@@ -70,7 +74,7 @@ impl VoxelGrid {
         if let Some(i) = parallel::find_first(count, |i| voxels[i] != EMPTY && voxels[i] >= most) {
             return Err(Error::parameter("material", voxels[i], &format!("a number below {most}")));
         }
-        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels })
+        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels, fields: Vec::new() })
     }
 
     /// The raster over whose nodes the columns stand.
@@ -173,6 +177,6 @@ impl Terrain for VoxelGrid {
     }
 
     fn check_finite(&self) -> Result<(), (&'static str, usize)> {
-        Ok(())
+        self.not_finite().map_or(Ok(()), Err)
     }
 }
