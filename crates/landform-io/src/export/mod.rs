@@ -27,6 +27,7 @@ mod write_picture;
 mod write_povray;
 mod write_raster;
 mod write_report;
+mod write_survey;
 
 pub use write_contours::WriteContours;
 pub use write_features::WriteFeatures;
@@ -37,6 +38,7 @@ pub use write_picture::{ViewKind, WritePicture};
 pub use write_povray::WritePovray;
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
+pub use write_survey::WriteSurvey;
 
 use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
@@ -50,4 +52,5 @@ landform_core::stages! {
     export WritePicture where HeightField, Mesh;
     export WritePovray where HeightField, Mesh;
     export WriteReport where HeightField, Mesh;
+    export WriteSurvey where HeightField, Mesh, VoxelGrid;
 }

@@ -9,6 +9,7 @@ mod ground;
 use serde::{Deserialize, Serialize};
 
 use super::{Bounds, Kind, Materials, Terrain};
+use crate::feature::Features;
 use crate::grid::{Grid, Shape};
 use crate::{Error, Result, parallel};
 
@@ -41,6 +42,9 @@ pub struct VoxelGrid {
     /// Named values, each in the order of the voxels.
     #[serde(default)]
     fields: Vec<(String, Vec<f32>)>,
+    /// Passages and other features in the ground.
+    #[serde(default)]
+    features: Features,
 }
 
 impl VoxelGrid {
@@ -74,7 +78,8 @@ impl VoxelGrid {
         if let Some(i) = parallel::find_first(count, |i| voxels[i] != EMPTY && voxels[i] >= most) {
             return Err(Error::parameter("material", voxels[i], &format!("a number below {most}")));
         }
-        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels, fields: Vec::new() })
+        let (fields, features) = (Vec::new(), Features::default());
+        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels, fields, features })
     }
 
     /// The raster over whose nodes the columns stand.
@@ -95,6 +100,16 @@ impl VoxelGrid {
     /// Height of a voxel, m.
     pub fn height(&self) -> f64 {
         self.height
+    }
+
+    /// Passages, entrances and other features that a stage found or made.
+    pub fn features(&self) -> &Features {
+        &self.features
+    }
+
+    /// Features, to change.
+    pub fn features_mut(&mut self) -> &mut Features {
+        &mut self.features
     }
 
     /// The materials that numbers stand for.
