@@ -4,6 +4,7 @@
 //! coupled by a recipe.
 
 pub mod basin;
+pub mod cave;
 pub mod channel;
 pub mod coast;
 pub mod dune;
@@ -31,4 +32,5 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     streams::STAGES,
     basin::STAGES,
     volume::STAGES,
+    cave::STAGES,
 ];

@@ -14,12 +14,15 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod cave;
 mod coast;
 mod dunes;
 mod landscape;
 mod simple;
 mod summary;
 
+pub(crate) use cave::no_cave;
+pub use cave::{CaveMeasured, InletMeasured, MeasureCave};
 pub use coast::{CoastMeasured, MeasureCoast};
 pub use dunes::MeasureDunes;
 pub use landscape::MeasureLandscape;
@@ -29,10 +32,11 @@ pub use simple::{
 };
 pub use summary::{MeasureSummary, Measured};
 
-use landform_core::terrain::{HeightField, Mesh};
+use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
 landform_core::stages! {
     measure MeasureSummary where HeightField, Mesh;
+    measure MeasureCave where VoxelGrid;
     measure MeasureCoast where HeightField, Mesh;
     measure MeasureDirections where HeightField, Mesh;
     measure MeasureDrainage where HeightField, Mesh;
