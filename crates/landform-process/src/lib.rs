@@ -4,6 +4,7 @@
 //! coupled by a recipe.
 
 pub mod basin;
+pub mod cave;
 pub mod channel;
 pub mod coast;
 pub mod dune;
@@ -33,4 +34,5 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     basin::STAGES,
     karst::STAGES,
     volume::STAGES,
+    cave::STAGES,
 ];

@@ -1,6 +1,7 @@
 //! Read-only measures of a terrain.
 
 mod card;
+pub mod cave;
 mod coast;
 mod compare;
 mod conduits;

@@ -28,6 +28,7 @@ mod write_povray;
 mod write_raster;
 mod write_report;
 mod write_survey;
+mod write_volume;
 
 pub use write_contours::WriteContours;
 pub use write_features::WriteFeatures;
@@ -39,6 +40,7 @@ pub use write_povray::WritePovray;
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
 pub use write_survey::WriteSurvey;
+pub use write_volume::WriteVolume;
 
 use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
@@ -49,8 +51,9 @@ landform_core::stages! {
     export WriteFeatures where HeightField, Mesh;
     export WriteMaps where HeightField, Mesh;
     export WriteMesh where HeightField, Mesh, VoxelGrid;
-    export WritePicture where HeightField, Mesh;
+    export WritePicture where HeightField, Mesh, VoxelGrid;
     export WritePovray where HeightField, Mesh;
     export WriteReport where HeightField, Mesh;
     export WriteSurvey where HeightField, Mesh, VoxelGrid;
+    export WriteVolume where VoxelGrid;
 }

@@ -14,6 +14,7 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod cave;
 mod coast;
 mod dunes;
 mod landscape;
@@ -21,6 +22,8 @@ mod network;
 mod simple;
 mod summary;
 
+pub(crate) use cave::no_cave;
+pub use cave::{CaveMeasured, InletMeasured, MeasureCave};
 pub use coast::{CoastMeasured, MeasureCoast};
 pub use dunes::MeasureDunes;
 pub use landscape::MeasureLandscape;
@@ -35,6 +38,7 @@ use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
 landform_core::stages! {
     measure MeasureSummary where HeightField, Mesh;
+    measure MeasureCave where VoxelGrid;
     measure MeasureCoast where HeightField, Mesh;
     measure MeasureDirections where HeightField, Mesh;
     measure MeasureDrainage where HeightField, Mesh;

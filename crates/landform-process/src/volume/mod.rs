@@ -19,17 +19,20 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod rock;
 mod to_voxels;
 mod tunnel;
 mod uppermost_surface;
 
 use landform_core::terrain::{HeightField, VoxelGrid};
 
+pub use rock::{BlockParams, FractureParams, RockBed, RockVolume, SphereParams};
 pub use to_voxels::ToVoxels;
 pub use tunnel::Tunnel;
 pub use uppermost_surface::UppermostSurface;
 
 landform_core::stages! {
+    generate RockVolume => VoxelGrid;
     convert ToVoxels where HeightField => VoxelGrid;
     edit Tunnel where VoxelGrid;
     convert UppermostSurface where VoxelGrid => HeightField;
