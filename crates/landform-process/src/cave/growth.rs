@@ -125,8 +125,10 @@ impl<'a> Growth<'a> {
             beside: Vec::new(),
         };
         growth.outlets.iter().for_each(|&i| growth.pressure[i] = 0);
-        let channels: Vec<usize> =
-            lattice.voxels().filter(|&i| channel[i] || growth.rock.porosity[i] > law.open || growth.is_outlet[i]).collect();
+        let channels: Vec<usize> = lattice
+            .voxels()
+            .filter(|&i| channel[i] || growth.rock.porosity[i] > law.open || growth.is_outlet[i])
+            .collect();
         let all: Vec<usize> = if channels.is_empty() { growth.outlets.clone() } else { channels };
         lower(lattice, &mut growth.pressure, &growth.slopes, &all);
         growth
@@ -294,7 +296,13 @@ mod tests {
         }
     }
 
-    fn grown<'a>(lattice: &'a Lattice, rock: Rock, ends: [Vec<usize>; 2], channel: &[bool], steps: usize) -> Growth<'a> {
+    fn grown<'a>(
+        lattice: &'a Lattice,
+        rock: Rock,
+        ends: [Vec<usize>; 2],
+        channel: &[bool],
+        steps: usize,
+    ) -> Growth<'a> {
         let pressure = lattice.padded(std::iter::repeat_n(ONE, lattice.stored()), 0);
         let mut growth = Growth::new(lattice, rock, law([0.05, 0.001]), pressure, channel, ends);
         for _ in 0..steps {
@@ -327,7 +335,8 @@ mod tests {
         // A U of channels in a sheet: down on the left, along the floor, up on the right.
         let lattice = Lattice::new([12, 1, 12], [1.0; 3]);
         let is_pipe = |[x, _, z]: [usize; 3]| x == 2 || x == 9 || (z == 1 && (2..=9).contains(&x));
-        let channel: Vec<bool> = (0..lattice.stored()).map(|i| lattice.is_inside(i) && is_pipe(lattice.place(i))).collect();
+        let channel: Vec<bool> =
+            (0..lattice.stored()).map(|i| lattice.is_inside(i) && is_pipe(lattice.place(i))).collect();
         let ends = [vec![lattice.at([2, 0, 11])], vec![lattice.at([9, 0, 11])]];
         let tight = |place: [usize; 3]| if is_pipe(place) { 1.0 } else { 0.01 };
         let growth = grown(&lattice, rock(&lattice, 0.3, tight), ends, &channel, 200);

@@ -127,7 +127,8 @@ fn choose(lattice: &Lattice, border: &[usize], outlets: &[usize], wanted: &Wante
     }
     // Then always the one farthest from those that stand, of some that are drawn.
     for k in chosen.len()..wanted.count.min(border.len()) {
-        let drawn = |j: u64| border[((seed.with(k as u64).uniform(j) * border.len() as f64) as usize).min(border.len() - 1)];
+        let drawn =
+            |j: u64| border[((seed.with(k as u64).uniform(j) * border.len() as f64) as usize).min(border.len() - 1)];
         let apart = |i: usize| chosen.iter().map(|&c| square(i, c)).fold(f64::INFINITY, f64::min);
         let far = (0..24).map(drawn).max_by(|&a, &b| apart(a).total_cmp(&apart(b)).then(b.cmp(&a)));
         chosen.extend(far);

@@ -10,9 +10,9 @@ use super::rock::Rock;
 use super::space::{Skeleton, plus, unit};
 
 /// Exponent of the law, and the greatest length over the least.
-const LAW: f64 = 1.2;
+const LAW: f64 = 2.0;
 /// The least length over that of bends.
-const SHORTEST: f64 = 0.4;
+const SHORTEST: f64 = 0.35;
 const LONGEST: f64 = 15.0;
 
 /// Adds side passages to places along the network.

@@ -24,9 +24,9 @@ impl Preset {
     /// Blind side passages for each sinkhole.
     pub(super) fn dead_ends(self) -> f64 {
         match self {
-            Self::Branchwork => 1.2,
-            Self::Mixed => 1.2,
-            Self::Anastomotic => 1.2,
+            Self::Branchwork => 1.7,
+            Self::Mixed => 1.8,
+            Self::Anastomotic => 1.6,
             Self::RectilinearMaze | Self::Spongework => 0.0,
         }
     }

@@ -9,7 +9,7 @@ use super::space::{Skeleton, Vector, between, distance};
 /// Waves of the field over the length of bends.
 const WAVES: [f64; 2] = [1.0, 0.4];
 /// Slope of the field for a tortuosity t: this times √(t² − 1). Measured.
-const STRENGTH: f64 = 0.36;
+const STRENGTH: f64 = 0.4;
 /// Vertical bends over those in plan.
 const VERTICAL: f64 = 0.5;
 
