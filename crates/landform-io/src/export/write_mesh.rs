@@ -9,11 +9,11 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::measure::no_cave;
 use crate::format::{
     MeshFile, RasterFile, blurred, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels,
     mesh_file_of_cave, mesh_file_of_water, mesh_format,
 };
+use crate::measure::no_cave;
 
 /// Surface that is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

@@ -10,7 +10,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::encode_png;
-use crate::render::{CutawayView, MapStyle, Picture, Ramp, Standpoint, View, cutaway, field_map, perspective, shaded_map, value_picture};
+use crate::render::{
+    CutawayView, MapStyle, Picture, Ramp, Standpoint, View, cutaway, field_map, perspective, shaded_map, value_picture,
+};
 
 /// Writes a picture (PNG): a map from above, or a perspective view.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -252,7 +254,7 @@ impl Export<VoxelGrid> for WritePicture {
         );
         let Bounds { low, high } = ground.bounding_box();
         let side = [0, 1, 2].map(|k| format!("{:.0}", high[k] - low[k])).join(" x ");
-        picture.label(&format!("block {side} m; black and white pieces are {rule} m; pale passages high, dark ones deep"));
+        picture.label(&format!("{side} m, rule in {rule} m"));
         out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?)
     }
 }

@@ -174,7 +174,8 @@ mod tests {
 
     fn written(path: &str, field: &str) -> Result<Vec<u8>> {
         let plan = Grid::new(Shape::new(2, 3), [2.0, 2.0])?;
-        let mut ground = VoxelGrid::from_fn(plan, 2, 10.0, 1.0, &Materials::default(), |l, n| (l + n != 0).then_some(3))?;
+        let mut ground =
+            VoxelGrid::from_fn(plan, 2, 10.0, 1.0, &Materials::default(), |l, n| (l + n != 0).then_some(3))?;
         ground.set_field("porosity", (0..12).map(|i| i as f32).collect())?;
         let write = WriteVolume { path: path.into(), field: field.into() };
         write.check()?;

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use landform_core::analysis::cave::cave_voxels;
 use landform_core::algo::polygonise::{Quads, polygonise};
+use landform_core::analysis::cave::cave_voxels;
 use landform_core::field::names;
 use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, VoxelGrid, mesh_parts_from_height_field};
 use landform_core::{Error, Result};

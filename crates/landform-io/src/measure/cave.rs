@@ -1,12 +1,12 @@
 //! The form of a cave, and what its water found on the way.
 
+use landform_core::Error;
 use landform_core::Result;
 use landform_core::analysis::cave::{Morphometry, morphometry};
 use landform_core::feature::{FeatureKind, Features, Property};
 use landform_core::terrain::VoxelGrid;
 use landform_core::units::Length;
 use landform_core::verb::{Landscape, Measure, Params, Source, check_path};
-use landform_core::Error;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

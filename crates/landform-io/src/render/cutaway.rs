@@ -194,7 +194,8 @@ impl Scene<'_> {
     /// Colour of the rock at a place.
     fn rock(&self, p: Vector) -> Rgb {
         let body = &self.body;
-        let cell = [0, 1, 2].map(|k| ((p[k] - body.low[k]) / body.side[k]).clamp(0.0, body.size[k] as f64 - 1.0) as usize);
+        let cell =
+            [0, 1, 2].map(|k| ((p[k] - body.low[k]) / body.side[k]).clamp(0.0, body.size[k] as f64 - 1.0) as usize);
         let node = self.ground.plan().shape.index(body.size[1] - 1 - cell[1], cell[0]);
         let i = cell[2] * self.ground.plan().len() + node;
         let number = self.ground.material(cell[2], node).or_else(|| {
@@ -225,9 +226,8 @@ impl Scene<'_> {
         let sun = dot(normal, self.sun).max(0.0);
         let sun = if sun > 0.0 { sun * self.is_lit(p) } else { 0.0 };
         let sky = 0.5 + 0.5 * normal[2];
-        let light = [0, 1, 2].map(|k| {
-            sun * [1.05, 0.98, 0.86][k] * 0.85 + open * (0.18 + 0.34 * sky) * [0.92, 0.98, 1.1][k]
-        });
+        let light =
+            [0, 1, 2].map(|k| sun * [1.05, 0.98, 0.86][k] * 0.85 + open * (0.30 + 0.34 * sky) * [0.92, 0.98, 1.1][k]);
         [0, 1, 2].map(|k| colour[k] * light[k])
     }
 
@@ -251,7 +251,11 @@ impl Scene<'_> {
             let normal = self.body.normal(p);
             let height = (p[2] - low[2]) / (high[2] - low[2]);
             // Deep passages are darker and redder, high ones pale.
-            let ramp = if height < 0.5 { mix(hex(0x8c3f1d), hex(0xd98a3a), 2.0 * height) } else { mix(hex(0xd98a3a), hex(0xf4dfa6), 2.0 * height - 1.0) };
+            let ramp = if height < 0.5 {
+                mix(hex(0x8c3f1d), hex(0xd98a3a), 2.0 * height)
+            } else {
+                mix(hex(0xd98a3a), hex(0xf4dfa6), 2.0 * height - 1.0)
+            };
             return self.shade(blend(ramp, self.rock(p), 0.22), p, normal, self.body.openness(p, normal));
         }
         let Some((t, normal, is_floor)) = slab else { return self.background(way) };
@@ -302,7 +306,11 @@ pub(crate) fn cutaway(ground: &VoxelGrid, view: &CutawayView) -> (Picture, f64) 
     for k in 0..2 {
         let (mut from, mut to) = ([low[0], low[1], low[2] - thick], high);
         // The side that looks at the viewer from inside.
-        if towards[k] > 0.0 { (from[k], to[k]) = (low[k] - thick, low[k]) } else { (from[k], to[k]) = (high[k], high[k] + thick) }
+        if towards[k] > 0.0 {
+            (from[k], to[k]) = (low[k] - thick, low[k])
+        } else {
+            (from[k], to[k]) = (high[k], high[k] + thick)
+        }
         slabs.push([from, to]);
     }
     let scene = Scene { ground, body, slabs, sun, rule: rule(side) };
@@ -314,10 +322,13 @@ pub(crate) fn cutaway(ground: &VoxelGrid, view: &CutawayView) -> (Picture, f64) 
     ];
     let middle = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
     // All corners are in the frame.
-    let corners = (0..8).map(|n| [0, 1, 2].map(|k| if n >> k & 1 == 1 { high[k] - middle[k] } else { low[k] - middle[k] }));
-    let (wide, tall) = corners.fold((0.0_f64, 0.0_f64), |(w, h), c| (w.max(dot(c, right).abs()), h.max(dot(c, up).abs())));
+    let corners =
+        (0..8).map(|n| [0, 1, 2].map(|k| if n >> k & 1 == 1 { high[k] - middle[k] } else { low[k] - middle[k] }));
+    let (wide, tall) =
+        corners.fold((0.0_f64, 0.0_f64), |(w, h), c| (w.max(dot(c, right).abs()), h.max(dot(c, up).abs())));
     let Shape { rows, cols } = view.shape;
-    let pixel = (2.0 * (wide + thick) / cols as f64).max(2.0 * (tall + thick) / (0.92 * rows as f64)) * 1.06 / view.zoom;
+    let pixel =
+        (2.0 * (wide + thick) / cols as f64).max(2.0 * (tall + thick) / (0.92 * rows as f64)) * 1.06 / view.zoom;
     let far = 4.0 * (wide + tall);
     let pixels = parallel::map(rows * cols, |i| {
         let mut sum = [0.0; 3];

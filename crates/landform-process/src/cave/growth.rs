@@ -12,15 +12,17 @@
 //!   their permeability, at most what they have room for. All read what was there before anyone
 //!   gave; where more comes than there is room, each giver gives its share (the thesis updates in
 //!   place, in the order of visits).
-//! - Dissolution: `f = (w_a f_a + f_c)^m`, with `f_c` the water that came and `f_a` the most that
-//!   came to a neighbour of lower pressure; porosity grows by `min(w_0 f s, 1 − P)`, s the
-//!   solubility.
+//! - Dissolution: `f = (w_a f_a + f_c)^m`, with `f_c` the water that came and `f_a` the mean over the
+//!   26 neighbours of what came to those of lower pressure, times the permeability up to 4; porosity
+//!   grows by `min(w_0 f s, 1 − P)`, s the solubility.
 
 use landform_core::algo::lattice::{Lattice, NEIGHBOURS, lower};
 use landform_core::math;
 
 /// A whole, in units.
 pub(super) const ONE: u32 = 1 << 24;
+/// Permeability above which walls give way no faster.
+const MOST_PERMEABLE: f32 = 4.0;
 
 /// The rock, stored as the lattice says; zeros in the border.
 #[derive(Clone)]
@@ -125,8 +127,10 @@ impl<'a> Growth<'a> {
             beside: Vec::new(),
         };
         growth.outlets.iter().for_each(|&i| growth.pressure[i] = 0);
-        let channels: Vec<usize> =
-            lattice.voxels().filter(|&i| channel[i] || growth.rock.porosity[i] > law.open || growth.is_outlet[i]).collect();
+        let channels: Vec<usize> = lattice
+            .voxels()
+            .filter(|&i| channel[i] || growth.rock.porosity[i] > law.open || growth.is_outlet[i])
+            .collect();
         let all: Vec<usize> = if channels.is_empty() { growth.outlets.clone() } else { channels };
         lower(lattice, &mut growth.pressure, &growth.slopes, &all);
         growth
@@ -241,7 +245,7 @@ impl<'a> Growth<'a> {
                     if self.aside[to] == 0 {
                         self.beside.push(to as u32);
                     }
-                    self.aside[to] = self.aside[to].max(came);
+                    self.aside[to] += came;
                 }
             }
         }
@@ -265,6 +269,8 @@ impl<'a> Growth<'a> {
         let [came, aside] = [self.came[i], self.aside[i]].map(|v| f64::from(v) / f64::from(ONE));
         // Once for a voxel that is both.
         (self.came[i], self.aside[i]) = (0, 0);
+        // Walls give way along fractures and planes between beds first.
+        let aside = aside / NEIGHBOURS as f64 * f64::from(self.rock.permeability[i].min(MOST_PERMEABLE));
         let f = math::pow(self.law.aside * aside + came, self.law.exponent);
         let more = (self.law.dissolution * f * f64::from(self.rock.solubility[i]) * f64::from(ONE)) as u32;
         let before = self.rock.porosity[i];
@@ -294,7 +300,13 @@ mod tests {
         }
     }
 
-    fn grown<'a>(lattice: &'a Lattice, rock: Rock, ends: [Vec<usize>; 2], channel: &[bool], steps: usize) -> Growth<'a> {
+    fn grown<'a>(
+        lattice: &'a Lattice,
+        rock: Rock,
+        ends: [Vec<usize>; 2],
+        channel: &[bool],
+        steps: usize,
+    ) -> Growth<'a> {
         let pressure = lattice.padded(std::iter::repeat_n(ONE, lattice.stored()), 0);
         let mut growth = Growth::new(lattice, rock, law([0.05, 0.001]), pressure, channel, ends);
         for _ in 0..steps {
@@ -327,7 +339,8 @@ mod tests {
         // A U of channels in a sheet: down on the left, along the floor, up on the right.
         let lattice = Lattice::new([12, 1, 12], [1.0; 3]);
         let is_pipe = |[x, _, z]: [usize; 3]| x == 2 || x == 9 || (z == 1 && (2..=9).contains(&x));
-        let channel: Vec<bool> = (0..lattice.stored()).map(|i| lattice.is_inside(i) && is_pipe(lattice.place(i))).collect();
+        let channel: Vec<bool> =
+            (0..lattice.stored()).map(|i| lattice.is_inside(i) && is_pipe(lattice.place(i))).collect();
         let ends = [vec![lattice.at([2, 0, 11])], vec![lattice.at([9, 0, 11])]];
         let tight = |place: [usize; 3]| if is_pipe(place) { 1.0 } else { 0.01 };
         let growth = grown(&lattice, rock(&lattice, 0.3, tight), ends, &channel, 200);

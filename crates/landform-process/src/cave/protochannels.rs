@@ -77,7 +77,7 @@ fn capacities(lattice: &Lattice, rock: &Rock, sources: &[usize], sinks: &[usize]
     let let_through = |i: usize| rock.porosity[i] as f32 / (1 << 24) as f32 * rock.permeability[i];
     let mut all: Vec<f32> = lattice.voxels().map(let_through).collect();
     all.sort_by(f32::total_cmp);
-    let wide = all[all.len() * 3 / 4].max(1e-9);
+    let wide = all[all.len() * 9 / 10].max(1e-9);
     // A wide voxel has a sixteenth of the most.
     let scale = f32::from(MaxFlow::MOST / 16) / wide;
     let mut capacity = vec![0; lattice.stored()];
@@ -127,7 +127,8 @@ fn choose(lattice: &Lattice, border: &[usize], outlets: &[usize], wanted: &Wante
     }
     // Then always the one farthest from those that stand, of some that are drawn.
     for k in chosen.len()..wanted.count.min(border.len()) {
-        let drawn = |j: u64| border[((seed.with(k as u64).uniform(j) * border.len() as f64) as usize).min(border.len() - 1)];
+        let drawn =
+            |j: u64| border[((seed.with(k as u64).uniform(j) * border.len() as f64) as usize).min(border.len() - 1)];
         let apart = |i: usize| chosen.iter().map(|&c| square(i, c)).fold(f64::INFINITY, f64::min);
         let far = (0..24).map(drawn).max_by(|&a, &b| apart(a).total_cmp(&apart(b)).then(b.cmp(&a)));
         chosen.extend(far);

@@ -67,7 +67,8 @@ impl<'a> MaxFlow<'a> {
         sinks.iter().for_each(|&i| is_sink[i] = true);
         let sources: Vec<usize> = sources.iter().copied().filter(|&i| !is_sink[i]).collect();
         let most = capacity.iter().copied().max().unwrap_or(0).min(Self::MOST);
-        let mut search = Search { level: vec![UNSEEN; capacity.len()], arc: vec![0; capacity.len()], queue: Vec::new() };
+        let mut search =
+            Search { level: vec![UNSEEN; capacity.len()], arc: vec![0; capacity.len()], queue: Vec::new() };
         let mut least = if most > 0 { 1 << most.ilog2() } else { 0 };
         while least > 0 {
             while search.levels(&flow, &sources, &is_sink, least) {
@@ -211,7 +212,8 @@ mod tests {
         for (seed, size) in (0..24).zip([[4, 3, 1], [3, 2, 2], [6, 2, 1], [2, 3, 2]].into_iter().cycle()) {
             let lattice = Lattice::new(size, [1.0; 3]);
             let draw = |i: usize| Seed(seed).uniform(i as u64);
-            let capacity = lattice.padded((0..12).map(|i| if draw(i) < 0.2 { 0 } else { (draw(i + 50) * 40.0) as u16 }), 0);
+            let capacity =
+                lattice.padded((0..12).map(|i| if draw(i) < 0.2 { 0 } else { (draw(i + 50) * 40.0) as u16 }), 0);
             let (source, sink) = (lattice.at([0; 3]), lattice.at(size.map(|n| n - 1)));
             let parts = vec![0; capacity.len()];
             let flow = MaxFlow::between(&lattice, &capacity, &parts, &[source], &[sink]);

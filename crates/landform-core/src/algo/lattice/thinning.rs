@@ -55,8 +55,7 @@ pub fn thin(lattice: &Lattice, set: &mut [bool], what: Thinning) -> usize {
     let test = Simple::new();
     let faces = if what == Thinning::Line { &FACES[..] } else { &FACES[..2] };
     let is_border = |set: &[bool], i: usize| faces.iter().any(|&k| !set[lattice.neighbour(i, k)]);
-    let mut border: Vec<u32> =
-        lattice.voxels().filter(|&i| set[i] && is_border(set, i)).map(|i| i as u32).collect();
+    let mut border: Vec<u32> = lattice.voxels().filter(|&i| set[i] && is_border(set, i)).map(|i| i as u32).collect();
     let mut listed = vec![false; set.len()];
     border.iter().for_each(|&i| listed[i as usize] = true);
     let goes = |set: &[bool], i: usize, face: usize| {

@@ -114,8 +114,7 @@ fn euler(lattice: &Lattice, set: &[bool]) -> i64 {
                 let any = |steps: &[usize]| steps.iter().any(|s| set[i - s]);
                 let cube = set[i];
                 let faces = [any(&[0, sx]), any(&[0, sy]), any(&[0, sz])];
-                let edges =
-                    [any(&[0, sy, sz, sy + sz]), any(&[0, sx, sz, sx + sz]), any(&[0, sx, sy, sx + sy])];
+                let edges = [any(&[0, sy, sz, sy + sz]), any(&[0, sx, sz, sx + sz]), any(&[0, sx, sy, sx + sy])];
                 let vertex = edges[0] || any(&[sx, sx + sy, sx + sz, sx + sy + sz]);
                 let count = |all: [bool; 3]| all.into_iter().map(i64::from).sum::<i64>();
                 sum += i64::from(vertex) - count(edges) + count(faces) - i64::from(cube);

@@ -12,8 +12,8 @@ use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use fractures::{Fall, Planes};
 pub use fractures::FractureParams;
+use fractures::{Fall, Planes};
 
 /// A block of rock in voxels, with porosity, permeability and solubility in each: beds of any dip,
 /// and sets of fractures. The permeability is over that of plain rock. Caves are dissolved in it.
@@ -202,7 +202,8 @@ impl RockVolume {
             // Three sections through noise of the plane, none of which is along an axis.
             let [x, y, z] = place.map(|v| v / length);
             let noise = |k: u64, u: f64, v: f64| fbm(seed.with(k), u, v, 3, 2.0, 0.5);
-            let sum = noise(1, x + 0.37 * z, y - 0.21 * z) + noise(2, y + 0.31 * x, 1.6 * z - 0.2 * x)
+            let sum = noise(1, x + 0.37 * z, y - 0.21 * z)
+                + noise(2, y + 0.31 * x, 1.6 * z - 0.2 * x)
                 + noise(3, x - 0.43 * y, 1.6 * z + 0.3 * y);
             factor = math::exp(self.variation * 1.4 * sum);
         }
@@ -295,7 +296,9 @@ mod tests {
         let dipping = rock(&text.replace("\"variation\"", "\"dip\":\"20 deg\",\"variation\""));
         let is_shale = |level: usize, col: usize| dipping.material(level, 15 * 40 + col) == Some(shale);
         // 11 m east the beds lie 11 tan 20° = 4.0 m lower.
-        let same = (4..20).flat_map(|l| (0..29).map(move |c| (l, c))).filter(|&(l, c)| is_shale(l, c) == is_shale(l - 4, c + 11));
+        let same = (4..20)
+            .flat_map(|l| (0..29).map(move |c| (l, c)))
+            .filter(|&(l, c)| is_shale(l, c) == is_shale(l - 4, c + 11));
         assert!(same.count() > 16 * 29 * 9 / 10);
         assert!((0..40).any(|c| is_shale(10, c)) && !(0..40).all(|c| is_shale(10, c)));
     }
