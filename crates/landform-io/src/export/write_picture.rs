@@ -254,8 +254,7 @@ impl Export<VoxelGrid> for WritePicture {
         );
         let Bounds { low, high } = ground.bounding_box();
         let side = [0, 1, 2].map(|k| format!("{:.0}", high[k] - low[k])).join(" x ");
-        picture
-            .label(&format!("block {side} m; black and white pieces are {rule} m; pale passages high, dark ones deep"));
+        picture.label(&format!("{side} m, rule in {rule} m"));
         out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?)
     }
 }

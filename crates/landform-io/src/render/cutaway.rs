@@ -227,7 +227,7 @@ impl Scene<'_> {
         let sun = if sun > 0.0 { sun * self.is_lit(p) } else { 0.0 };
         let sky = 0.5 + 0.5 * normal[2];
         let light =
-            [0, 1, 2].map(|k| sun * [1.05, 0.98, 0.86][k] * 0.85 + open * (0.18 + 0.34 * sky) * [0.92, 0.98, 1.1][k]);
+            [0, 1, 2].map(|k| sun * [1.05, 0.98, 0.86][k] * 0.85 + open * (0.30 + 0.34 * sky) * [0.92, 0.98, 1.1][k]);
         [0, 1, 2].map(|k| colour[k] * light[k])
     }
 

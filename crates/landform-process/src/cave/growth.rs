@@ -12,15 +12,17 @@
 //!   their permeability, at most what they have room for. All read what was there before anyone
 //!   gave; where more comes than there is room, each giver gives its share (the thesis updates in
 //!   place, in the order of visits).
-//! - Dissolution: `f = (w_a f_a + f_c)^m`, with `f_c` the water that came and `f_a` the most that
-//!   came to a neighbour of lower pressure; porosity grows by `min(w_0 f s, 1 − P)`, s the
-//!   solubility.
+//! - Dissolution: `f = (w_a f_a + f_c)^m`, with `f_c` the water that came and `f_a` the mean over the
+//!   26 neighbours of what came to those of lower pressure, times the permeability up to 4; porosity
+//!   grows by `min(w_0 f s, 1 − P)`, s the solubility.
 
 use landform_core::algo::lattice::{Lattice, NEIGHBOURS, lower};
 use landform_core::math;
 
 /// A whole, in units.
 pub(super) const ONE: u32 = 1 << 24;
+/// Permeability above which walls give way no faster.
+const MOST_PERMEABLE: f32 = 4.0;
 
 /// The rock, stored as the lattice says; zeros in the border.
 #[derive(Clone)]
@@ -243,7 +245,7 @@ impl<'a> Growth<'a> {
                     if self.aside[to] == 0 {
                         self.beside.push(to as u32);
                     }
-                    self.aside[to] = self.aside[to].max(came);
+                    self.aside[to] += came;
                 }
             }
         }
@@ -267,6 +269,8 @@ impl<'a> Growth<'a> {
         let [came, aside] = [self.came[i], self.aside[i]].map(|v| f64::from(v) / f64::from(ONE));
         // Once for a voxel that is both.
         (self.came[i], self.aside[i]) = (0, 0);
+        // Walls give way along fractures and planes between beds first.
+        let aside = aside / NEIGHBOURS as f64 * f64::from(self.rock.permeability[i].min(MOST_PERMEABLE));
         let f = math::pow(self.law.aside * aside + came, self.law.exponent);
         let more = (self.law.dissolution * f * f64::from(self.rock.solubility[i]) * f64::from(ONE)) as u32;
         let before = self.rock.porosity[i];

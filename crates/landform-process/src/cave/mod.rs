@@ -122,7 +122,7 @@ impl Params for Cave {
     }];
 
     fn leaves(&self) -> Vec<String> {
-        ["pressure", "protochannel"].map(String::from).to_vec()
+        [VoxelGrid::POROSITY, VoxelGrid::PRESSURE, PROTOCHANNEL].map(String::from).to_vec()
     }
 
     fn check(&self) -> Result<()> {
@@ -138,6 +138,9 @@ impl Params for Cave {
         Ok(())
     }
 }
+
+/// Name of the field that is 1 in protochannels, else 0.
+const PROTOCHANNEL: &str = "protochannel";
 
 /// Ends of the water's ways: voxels of each, and pressures of inlets.
 struct Ends {
@@ -181,27 +184,31 @@ impl Cave {
     }
 }
 
-/// The rock as whole numbers; empty voxels are all pores.
-fn rock_of(ground: &VoxelGrid, lattice: &Lattice) -> Result<Rock> {
-    let porosity = ground.need_field(VoxelGrid::POROSITY, "`cave`")?;
-    let permeability = ground.need_field(VoxelGrid::PERMEABILITY, "`cave`")?;
-    let solubility = ground.need_field(VoxelGrid::SOLUBILITY, "`cave`")?;
-    let nodes = ground.plan().len();
-    let units = |(i, p): (usize, &f32)| {
-        let is_solid = ground.material(i / nodes, i % nodes).is_some();
-        if is_solid { ((f64::from(*p) * f64::from(ONE)) as u32).clamp(1, ONE) } else { ONE }
+/// The rock as whole numbers; empty voxels are all pores. Ground without such fields has 5 % of
+/// pores, the permeability of plain rock and the solubility of its materials.
+fn rock_of(ground: &VoxelGrid, lattice: &Lattice) -> Rock {
+    let field = |name: &str| ground.field(name);
+    let (porosity, permeability) = (field(VoxelGrid::POROSITY), field(VoxelGrid::PERMEABILITY));
+    let solubility = field(VoxelGrid::SOLUBILITY);
+    let (nodes, count) = (ground.plan().len(), ground.plan().len() * ground.levels());
+    let material = |i: usize| ground.material(i / nodes, i % nodes);
+    let units = |i: usize| {
+        let part = porosity.map_or(0.05, |p| f64::from(p[i]));
+        if material(i).is_some() { ((part * f64::from(ONE)) as u32).clamp(1, ONE) } else { ONE }
     };
-    Ok(Rock {
-        porosity: lattice.padded(porosity.iter().enumerate().map(units), 0),
-        permeability: lattice.padded(permeability.iter().map(|k| k.max(1e-3)), 0.0),
-        solubility: lattice.padded(solubility.iter().map(|s| s.clamp(0.0, 1.0)), 0.0),
-    })
+    let of_material = |i: usize| material(i).map_or(0.0, |number| ground.materials().get(number).solubility as f32);
+    Rock {
+        porosity: lattice.padded((0..count).map(units), 0),
+        permeability: lattice.padded((0..count).map(|i| permeability.map_or(1.0, |k| k[i].max(1e-3))), 0.0),
+        solubility: lattice
+            .padded((0..count).map(|i| solubility.map_or_else(|| of_material(i), |s| s[i].clamp(0.0, 1.0))), 0.0),
+    }
 }
 
 impl Edit<VoxelGrid> for Cave {
     fn edit(&self, terrain: &mut VoxelGrid, context: &Context) -> Result<()> {
         let lattice = lattice_of(terrain);
-        let (rock, ends) = (rock_of(terrain, &lattice)?, self.ends(terrain, &lattice)?);
+        let (rock, ends) = (rock_of(terrain, &lattice), self.ends(terrain, &lattice)?);
         let highest = ends.inlets.iter().map(|i| i.1).fold(0.0, f64::max);
         let unit = f64::from(ONE) / highest;
         let zone = zones(&lattice, &rock, &ends.inlets);
@@ -234,7 +241,7 @@ impl Edit<VoxelGrid> for Cave {
         terrain.set_field(VoxelGrid::POROSITY, share(&growth.rock.porosity, f64::from(ONE)))?;
         terrain.set_field(VoxelGrid::PRESSURE, share(&growth.pressure, unit))?;
         let proto = lattice.unpadded(&channel).into_iter().map(|c| f32::from(u8::from(c))).collect();
-        terrain.set_field("protochannel", proto)?;
+        terrain.set_field(PROTOCHANNEL, proto)?;
         let porosity = lattice.unpadded(&growth.rock.porosity);
         terrain.empty_where(|i| porosity[i] > law.open);
         let ends_found = marks(terrain, &lattice, &ends, &watch.found);
@@ -282,4 +289,84 @@ fn marks(ground: &VoxelGrid, lattice: &Lattice, ends: &Ends, found: &[Option<Bre
         Feature { id: (k + 1).to_string(), kind: FeatureKind::Spring, geometry, properties: Vec::new() }
     });
     inlets.chain(outlets).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use landform_core::grid::Side;
+    use landform_core::units::Length;
+    use landform_core::verb::Generator;
+
+    use super::*;
+    use crate::volume::RockVolume;
+
+    fn rock(text: &str) -> VoxelGrid {
+        let rock: RockVolume = serde_json::from_str(text).unwrap();
+        rock.generate(&Context::default()).unwrap()
+    }
+
+    /// Three protochannels side by side, of which the first leads by the outlet: all leave through
+    /// one passage (phreatic loops; Pytel, Figures 5.6 and 5.7).
+    #[test]
+    fn far_inlets_link_up_with_near_ones() {
+        let lattice = Lattice::new([64, 44, 1], [1.0; 3]);
+        let n = lattice.voxels().count();
+        let rock = Rock {
+            porosity: lattice.padded(std::iter::repeat_n(ONE / 10, n), 0),
+            permeability: lattice.padded(std::iter::repeat_n(1.0, n), 0.0),
+            solubility: lattice.padded(std::iter::repeat_n(1.0, n), 0.0),
+        };
+        let mut channel = vec![false; lattice.stored()];
+        let rows = [10, 22, 34];
+        rows.iter().for_each(|&y| (10..=60).for_each(|x| channel[lattice.at([x, y, 0])] = true));
+        let inlets: Vec<Vec<usize>> = rows.iter().map(|&y| vec![lattice.at([60, y, 0])]).collect();
+        let outlet = vec![lattice.at([4, 10, 0])];
+        let law = Law {
+            rates: [0.05, 0.001].map(|r| (r * f64::from(ONE)) as f32),
+            open: ONE / 2,
+            dissolution: 0.15,
+            aside: 0.25,
+            exponent: 1.0,
+        };
+        let pressure = lattice.padded(std::iter::repeat_n(ONE, n), 0);
+        let both = [inlets.concat(), outlet.clone()];
+        let mut growth = Growth::new(&lattice, rock, law, pressure, &channel, both);
+        let mut watch = Watch::new(&lattice, inlets, vec![outlet]);
+        for iteration in 1..=600 {
+            let opened = growth.step();
+            watch.open(iteration, &opened, &growth.pressure);
+        }
+        let joins: Vec<_> = watch.found.iter().map(|f| f.map(|f| f.joins)).collect();
+        let direct = joins.iter().filter(|j| **j == Some(None)).count();
+        assert!(direct == 1 && joins.iter().all(Option::is_some), "{joins:?}");
+        // None of the far protochannels opens a way of its own to the outlet.
+        let is_open = |[x, y]: [usize; 2]| growth.rock.porosity[lattice.at([x, y, 0])] > law.open;
+        assert!((16..44).all(|y| !is_open([4, y])));
+    }
+
+    #[test]
+    fn places_off_the_rock_and_outlets_without_a_place_are_refused() {
+        let mut ground = rock(r#"{"grid":{"size":["10 m","8 m","6 m"],"cell_size":"1 m"}}"#);
+        let place = |x: f64| InletParams { at: [x, 2.0, 3.0].map(Length::of), pressure: 1.0, radius: None };
+        let far = Cave { inlets: vec![place(50.0)], ..Cave::default() };
+        assert!(far.edit(&mut ground, &Context::default()).unwrap_err().to_string().contains("inlets.at"));
+        let nowhere = Cave { outlets: vec![OutletParams::default()], ..Cave::default() };
+        assert!(nowhere.validate().is_err());
+        let high = OutletParams { side: Some(Side::East), above: Some(Length::of(90.0)), ..OutletParams::default() };
+        let dry = Cave { outlets: vec![high], ..Cave::default() };
+        assert!(dry.edit(&mut ground, &Context::default()).is_err());
+        let outlets = vec![OutletParams { side: Some(Side::West), ..OutletParams::default() }];
+        let same = Cave { inlets: vec![place(0.5)], outlets, ..Cave::default() };
+        assert!(same.edit(&mut ground, &Context::default()).unwrap_err().to_string().contains("outlet too"));
+    }
+
+    #[test]
+    fn rock_that_water_cannot_dissolve_stays_closed() {
+        let bed = r#"{"grid":{"size":["20 m","12 m","8 m"],"cell_size":"1 m"},"beds":[{"material":"granite","thickness":"9 m"}]}"#;
+        let mut ground = rock(bed);
+        Cave::default().edit(&mut ground, &Context::default()).unwrap();
+        assert_eq!(ground.solids(), 20 * 12 * 8);
+        let found = ground.features().of(FeatureKind::Sinkhole).next().unwrap();
+        assert!(found.properties.iter().any(|p| p.0 == "breakthrough_iteration" && p.1 == Property::None));
+    }
 }

@@ -77,7 +77,7 @@ fn capacities(lattice: &Lattice, rock: &Rock, sources: &[usize], sinks: &[usize]
     let let_through = |i: usize| rock.porosity[i] as f32 / (1 << 24) as f32 * rock.permeability[i];
     let mut all: Vec<f32> = lattice.voxels().map(let_through).collect();
     all.sort_by(f32::total_cmp);
-    let wide = all[all.len() * 3 / 4].max(1e-9);
+    let wide = all[all.len() * 9 / 10].max(1e-9);
     // A wide voxel has a sixteenth of the most.
     let scale = f32::from(MaxFlow::MOST / 16) / wide;
     let mut capacity = vec![0; lattice.stored()];

@@ -73,13 +73,20 @@ fn grow(skeleton: &mut Skeleton, pulling: &[(usize, Attractor)], rock: &Rock<'_>
         let is_close = nearest.far < 5.0 * step;
         let guided = if is_close { mean } else { rock.guided(from, mean) };
         let ways = [guided, mean, straight];
-        let places = ways.iter().map(|&way| rock.held(plus(from, way, step)));
+        // A fracture that leads off the map is not followed along its border.
+        let leaves = |to: Vector, at: Vector| (0..2).any(|k| (to[k] - at[k]).abs() > 1e-9);
+        let places = ways.iter().enumerate().filter_map(|(k, &way)| {
+            let to = plus(from, way, step);
+            let at = rock.held(to);
+            (k == 2 || !leaves(to, at)).then_some(at)
+        });
         let joined = |at: Vector| {
             let is_taken = skeleton.nodes.iter().any(|n| distance(*n, at) < 0.5 * step);
             let gains = group.iter().any(|g| distance(pulling[g.1].1.at, at) < pulling[g.1].1.far - 0.05 * step);
             gains && !is_taken
         };
-        let found = places.into_iter().find(|at| joined(*at));
+        let mut places = places;
+        let found = places.find(|at| joined(*at));
         if let Some(at) = found {
             skeleton.grow(node, at);
         }

@@ -12,7 +12,7 @@ use crate::algo::lattice::Lattice;
 use crate::terrain::VoxelGrid;
 
 /// A lattice over the voxels of the ground: columns along x, rows from the north along y, levels
-/// along z; and which of them are cave. In a block of rock, which has a porosity, these are all
+/// along z; and which of them are cave. In a block of rock, which has a permeability, these are all
 /// empty voxels; in other ground those under a roof.
 ///
 /// **Cost** O(voxels).
@@ -34,7 +34,7 @@ pub fn cave_voxels(ground: &VoxelGrid) -> (Lattice, Vec<bool>) {
     let (plan, levels) = (ground.plan(), ground.levels());
     let [dx, dy] = plan.spacing;
     let lattice = Lattice::new([plan.shape.cols, plan.shape.rows, levels], [dx, dy, ground.height()]);
-    let is_block = ground.field(VoxelGrid::POROSITY).is_some();
+    let is_block = ground.field(VoxelGrid::PERMEABILITY).is_some();
     let roof = |node: usize| (0..levels).rev().find(|&l| ground.material(l, node).is_some()).unwrap_or(0);
     let roofs: Vec<usize> = (0..plan.len()).map(|node| if is_block { levels } else { roof(node) }).collect();
     let is_cave = |i: usize| {
