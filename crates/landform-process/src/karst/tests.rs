@@ -1,5 +1,6 @@
 use landform_core::analysis::{NetworkStatistics, network_statistics};
 use landform_core::grid::{Grid, Shape};
+use landform_core::math;
 use landform_core::parallel::with_threads;
 use landform_core::random::Seed;
 use landform_core::terrain::HeightField;
@@ -126,7 +127,7 @@ fn passages_follow_fractures_and_keep_to_beds() {
     let mut bins = [0.0; 18];
     for [a, b] in with.network.edges() {
         let [a, b] = [a, b].map(|n| with.network.nodes[n as usize]);
-        let azimuth = (b[0] - a[0]).atan2(b[1] - a[1]).to_degrees().rem_euclid(180.0);
+        let azimuth = math::atan2(b[0] - a[0], b[1] - a[1]).to_degrees().rem_euclid(180.0);
         bins[((azimuth + 5.0) / 10.0) as usize % 18] += distance(a, b);
     }
     let peak = (0..18).max_by(|a, b| bins[*a].total_cmp(&bins[*b])).unwrap();
