@@ -5,12 +5,14 @@
 
 pub mod automaton;
 pub mod basin;
+pub mod cave;
 pub mod channel;
 pub mod coast;
 pub mod dune;
 pub mod edit;
 pub mod generate;
 pub mod hillslope;
+pub mod karst;
 pub mod mechanism;
 pub mod snow;
 pub mod stream_power;
@@ -32,5 +34,7 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     streams::STAGES,
     automaton::STAGES,
     basin::STAGES,
+    karst::STAGES,
     volume::STAGES,
+    cave::STAGES,
 ];

@@ -9,7 +9,9 @@ use landform::core::grid::{Domain, Status};
 use landform::core::parallel::with_threads;
 use landform::core::random::Seed;
 use landform::core::sim::Model;
-use landform::core::terrain::{Body, HeightField, Kind, Layer, Mesh, NodeSurface, Representation, Surface, Terrain};
+use landform::core::terrain::{
+    Body, HeightField, Kind, Layer, Mesh, NodeSurface, Representation, Surface, Terrain, VoxelGrid,
+};
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
 use landform::recipe::{
@@ -523,4 +525,53 @@ fn there_is_one_match_on_representations() {
     }
     assert_eq!(arms.len(), 1, "{arms:?}");
     assert!(arms[0].ends_with("terrain/any.rs"));
+}
+
+/// The recipe of a limestone cave that fixes the words of caves: inlets break through, one joins the
+/// other, and every file comes.
+#[test]
+fn a_limestone_cave_is_dissolved_measured_and_written() {
+    let text = include_str!("../gallery/75_limestone_cave.toml")
+        .replace("view = \"cutaway\"", "view = \"cutaway\"\nsize = 96");
+    let ran = |threads| {
+        with_threads(threads, || {
+            let mut out = MemoryOutput::default();
+            let Ran::ToTheEnd(terrain, _) = recipe(&text).run(&mut out, &Options::default()).unwrap() else {
+                panic!("interrupted")
+            };
+            (terrain, out)
+        })
+        .unwrap()
+    };
+    let (terrain, out) = ran(2);
+    assert_eq!(out.0.keys().collect::<Vec<_>>(), ["cave.glb", "cave.json", "cave.png", "cave.svx", "cave.vti"]);
+    let measured: serde_json::Value = serde_json::from_slice(&out.0["cave.json"]).unwrap();
+    assert_eq!((measured["breakthroughs"].as_u64(), measured["captures"].as_u64()), (Some(2), Some(1)));
+    let ground = terrain.get::<VoxelGrid>("the test").unwrap();
+    let empty = (ground.plan().len() * ground.levels() - ground.solids()) as f64;
+    assert_eq!(measured["volume_m3"].as_f64(), Some(empty));
+    let coverage = measured["rectangular"]["coverage_percent"].as_f64().unwrap();
+    let product = measured["rectangular"]["density_m_m2"].as_f64().unwrap() * measured["width_m"].as_f64().unwrap();
+    assert!((coverage / (100.0 * product) - 1.0).abs() < 1e-12);
+    assert!(String::from_utf8_lossy(&out.0["cave.svx"]).contains("*data passage"));
+    let (_, again) = ran(1);
+    assert!(again.0 == out.0, "the number of threads shows");
+}
+
+/// The recipe of a karst network that fixes its words, on coarser voxels: every file comes, and the
+/// network is as natural ones.
+#[test]
+fn a_karst_network_is_grown_measured_and_hollowed_out() {
+    let text = include_str!("../gallery/77_karst_network.toml")
+        .replace("cell_size = \"4 m\"", "cell_size = \"16 m\"")
+        .replace("view = \"cutaway\"", "view = \"cutaway\"\nsize = 96");
+    let mut out = MemoryOutput::default();
+    recipe(&text).run(&mut out, &Options::default()).unwrap();
+    let names: Vec<&String> = out.0.keys().collect();
+    assert_eq!(names, ["network.geojson", "network.json", "network.png", "network.svx", "passages.stl"]);
+    let measured: serde_json::Value = serde_json::from_slice(&out.0["network.json"]).unwrap();
+    assert!(measured["in_range"].as_u64().unwrap() >= 7, "{measured}");
+    assert_eq!((measured["parts"].as_u64(), measured["pattern"].as_str()), (Some(1), Some("branchwork")));
+    let survey = String::from_utf8_lossy(&out.0["network.svx"]);
+    assert_eq!(survey.lines().filter(|l| l.starts_with("*entrance")).count(), 41);
 }

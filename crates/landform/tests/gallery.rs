@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use landform::core::terrain::VoxelGrid;
 use landform::core::verb::MemoryOutput;
 use landform::recipe::{AnyTerrain, GALLERY, Options, Override, Ran, Recipe};
 use serde::{Deserialize, Serialize};
@@ -262,6 +263,9 @@ const SMALL: &[(&str, &[&str])] = &[
     ("folded_range", &["layered_ground.grid.cell_size=250 m", "write_picture.size=160"]),
     ("alpine_range", &["spectral_fbm.grid.cell_size=250 m", "write_picture.size=160"]),
     ("tableland", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
+    ("limestone_cave", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
+    ("karst_network", &["surface.cell_size=20 m", "tunnels.cell_size=16 m", "write_picture.size=160"]),
+    ("phreatic_loops", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
     ("cuestas", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
 ];
 
@@ -275,7 +279,13 @@ struct Golden {
 }
 
 fn golden(terrain: &AnyTerrain) -> Golden {
-    let z = terrain.elevation();
+    // Of voxels without an elevation, how far each is dissolved.
+    let porosity = |ground: &VoxelGrid| {
+        let field = ground.field(VoxelGrid::POROSITY);
+        field.unwrap_or_default().iter().map(|v| f64::from(*v)).collect::<Vec<_>>()
+    };
+    let body = terrain.get::<VoxelGrid>("a golden").ok().map(porosity);
+    let z = body.as_deref().unwrap_or(terrain.elevation());
     // FNV-1a over the bits.
     let hash = z
         .iter()

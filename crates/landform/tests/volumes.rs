@@ -110,11 +110,9 @@ fn a_sweep_of_voxels_is_refused_before_it_runs() {
 
 #[test]
 fn stages_of_surfaces_say_what_to_do_with_voxels() {
-    for stage in [
-        "use = \"drainage\"",
-        "use = \"write_picture\"",
-        "use = \"uplift\"\nclock = { dt = \"1 kyr\", iterations = 1 }",
-    ] {
+    for stage in
+        ["use = \"drainage\"", "use = \"write_raster\"", "use = \"uplift\"\nclock = { dt = \"1 kyr\", iterations = 1 }"]
+    {
         let text = format!("{RIDGE}[[stage]]\n{stage}\n");
         let error = Recipe::parse(&text, "test", Path::new("."), &[]).unwrap_err().to_string();
         assert!(error.contains("voxel grid") && error.contains("height field"), "{error}");

@@ -8,6 +8,7 @@ pub mod flow;
 pub mod fourier;
 pub mod horizon;
 pub mod isoline;
+pub mod lattice;
 pub mod network;
 pub mod noise;
 pub mod outlets;

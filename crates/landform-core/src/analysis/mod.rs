@@ -1,8 +1,10 @@
 //! Read-only measures of a terrain.
 
 mod card;
+pub mod cave;
 mod coast;
 mod compare;
+mod conduits;
 mod directions;
 mod dunes;
 mod features;
@@ -21,6 +23,7 @@ pub use coast::{
     Coast, Dimension, Divider, box_counts, coast, dimension_by_boxes, dimension_by_divider, divider_steps, project,
 };
 pub use compare::{Comparison, compare};
+pub use conduits::{NaturalRange, NetworkStatistics, Pattern, network_statistics};
 pub use directions::{Directions, Gate, directions, directions_of};
 pub use dunes::{DuneClass, Dunes, ShadowError, dunes, shadow_error};
 pub use features::{FeatureSearch, find_features};

@@ -16,11 +16,15 @@
 //! assert_eq!(marked, [true, false]);
 //! ```
 
+mod conduits;
 mod distance;
 mod identity;
 
 use serde::{Deserialize, Serialize};
 
+use crate::{Error, Result};
+
+pub use conduits::{Conduit, ConduitNetwork, Passage};
 pub use distance::near;
 
 /// What a feature is.
@@ -37,6 +41,14 @@ pub enum FeatureKind {
     Coast,
     /// A line of one elevation.
     Contour,
+    /// A passage under the ground between two junctions or ends ([`ConduitNetwork`]).
+    Conduit,
+    /// A place where water sinks into the ground.
+    Sinkhole,
+    /// A place where water leaves the ground.
+    Spring,
+    /// A place where a passage opens to the surface.
+    Entrance,
 }
 
 impl FeatureKind {
@@ -47,6 +59,10 @@ impl FeatureKind {
         ("basins", Self::Basin),
         ("coasts", Self::Coast),
         ("contours", Self::Contour),
+        ("conduits", Self::Conduit),
+        ("sinkholes", Self::Sinkhole),
+        ("springs", Self::Spring),
+        ("entrances", Self::Entrance),
     ];
 
     /// The word for one: "river".
@@ -57,7 +73,16 @@ impl FeatureKind {
             Self::Basin => "basin",
             Self::Coast => "coast",
             Self::Contour => "contour",
+            Self::Conduit => "conduit",
+            Self::Sinkhole => "sinkhole",
+            Self::Spring => "spring",
+            Self::Entrance => "entrance",
         }
+    }
+
+    /// The stage that leaves features of this kind; none for those that are found on a surface.
+    pub fn left_by(self) -> Option<&'static str> {
+        matches!(self, Self::Conduit | Self::Sinkhole | Self::Spring | Self::Entrance).then_some("karst_network")
     }
 
     /// The kind that a word for several names: "rivers".
@@ -108,6 +133,8 @@ pub enum Property {
     Id(String),
     /// A place in the plane, m.
     Place([f64; 2]),
+    /// A number for each place of a line.
+    Numbers(Vec<f64>),
 }
 
 /// An object with a name, a kind and a geometry.
@@ -136,6 +163,27 @@ impl Features {
     /// Those of a kind.
     pub fn of(&self, kind: FeatureKind) -> impl Iterator<Item = &Feature> {
         self.0.iter().filter(move |f| f.kind == kind)
+    }
+
+    /// Those of a kind, where there are some.
+    ///
+    /// # Errors
+    /// [`Error::Recipe`] that names the kind, `needed_by` and the stage that makes such features.
+    ///
+    /// ```
+    /// use landform_core::feature::{FeatureKind, Features};
+    ///
+    /// let none = Features::default();
+    /// assert!(none.need(FeatureKind::Conduit, "`write_survey`").is_err());
+    /// ```
+    pub fn need(&self, kind: FeatureKind, needed_by: &str) -> Result<Vec<&Feature>> {
+        let found: Vec<&Feature> = self.of(kind).collect();
+        if !found.is_empty() {
+            return Ok(found);
+        }
+        let what = format!("the landscape has no {}s; {needed_by} needs some", kind.word());
+        let hint = Some(format!("`{}` makes them", kind.left_by().unwrap_or("find_features")));
+        Err(Error::Recipe { at: None, what, hint })
     }
 
     /// Whether there are none.

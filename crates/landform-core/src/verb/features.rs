@@ -19,6 +19,14 @@ pub enum FeatureWord {
     Coasts,
     /// Lines of one elevation.
     Contours,
+    /// Passages under the ground.
+    Conduits,
+    /// Places where water sinks into the ground.
+    Sinkholes,
+    /// Places where water leaves the ground.
+    Springs,
+    /// Places where passages open to the surface.
+    Entrances,
 }
 
 impl FeatureWord {
@@ -30,6 +38,10 @@ impl FeatureWord {
             Self::Basins => FeatureKind::Basin,
             Self::Coasts => FeatureKind::Coast,
             Self::Contours => FeatureKind::Contour,
+            Self::Conduits => FeatureKind::Conduit,
+            Self::Sinkholes => FeatureKind::Sinkhole,
+            Self::Springs => FeatureKind::Spring,
+            Self::Entrances => FeatureKind::Entrance,
         }
     }
 }

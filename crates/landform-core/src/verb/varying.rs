@@ -481,6 +481,7 @@ impl<D: Dimension> JsonSchema for Varying<D> {
         let quantity = Quantity::<D>::json_schema(generator);
         let text = json_schema!({ "type": "string" });
         let [lines, cycle] = course_schemas::<D>(generator);
+        let words: Vec<&str> = FeatureKind::ALL.iter().map(|kind| kind.0).collect();
         json_schema!({
             "anyOf": [
                 quantity,
@@ -493,7 +494,7 @@ impl<D: Dimension> JsonSchema for Varying<D> {
                 { "type": "object", "additionalProperties": false, "required": ["field"],
                   "properties": { "field": text, "unit": text } },
                 { "type": "object", "additionalProperties": false, "required": ["feature"],
-                  "properties": { "feature": { "enum": ["rivers", "lakes", "basins", "coasts", "contours"] },
+                  "properties": { "feature": { "enum": words },
                     "buffer": Length::json_schema(generator), "inside": quantity, "outside": quantity } },
                 lines,
                 cycle,

@@ -8,8 +8,22 @@ use serde_json::{Value as Json, json};
 
 const WGS_84: u16 = 4326;
 
-/// A feature as GeoJSON.
-pub(super) fn json_of(feature: &Feature) -> Json {
+/// A feature as GeoJSON, in the coordinates of the place that it lies on.
+pub(super) fn json_of(feature: &Feature, place: &impl NodeSurface) -> Json {
+    let mut json = in_metres(feature);
+    // Metres that were made from degrees are written as degrees; lists of numbers are no places.
+    if let Some(degrees) = place.degrees() {
+        to_degrees(&mut json["geometry"]["coordinates"], &degrees);
+        for (name, property) in &feature.properties {
+            if let Property::Place(_) = property {
+                to_degrees(&mut json["properties"][name], &degrees);
+            }
+        }
+    }
+    json
+}
+
+fn in_metres(feature: &Feature) -> Json {
     let (geometry, coordinates) = match &feature.geometry {
         Geometry::Point(p) => ("Point", json!(p)),
         Geometry::Line(line) => ("LineString", json!(line)),
@@ -38,23 +52,18 @@ fn value(property: &Property) -> Json {
         Property::Number(v) => json!(v),
         Property::Text(v) | Property::Id(v) => json!(v),
         Property::Place(v) => json!(v),
+        Property::Numbers(v) => json!(v),
         _ => Json::Null,
     }
 }
 
-/// A collection as text, one feature a line: small differences stay small. Metres that were made
-/// from degrees are written as degrees.
-pub(super) fn collection(title: &str, place: &impl NodeSurface, mut features: Vec<Json>) -> Result<String> {
+/// A collection as text, one feature a line: small differences stay small.
+pub(super) fn collection(title: &str, place: &impl NodeSurface, features: Vec<Json>) -> Result<String> {
     let mut collection = json!({ "type": "FeatureCollection", "name": title });
     let mut epsg = place.epsg();
     if let Some(degrees) = place.degrees() {
         // Without a name they are of WGS 84 by the standard.
         epsg = degrees.epsg.filter(|e| *e != WGS_84);
-        for feature in &mut features {
-            to_degrees(&mut feature["geometry"]["coordinates"], &degrees);
-            let properties = feature["properties"].as_object_mut();
-            properties.into_iter().flat_map(|p| p.values_mut()).for_each(|place| to_degrees(place, &degrees));
-        }
     }
     if let Some(epsg) = epsg {
         let name = format!("urn:ogc:def:crs:EPSG::{epsg}");

@@ -27,6 +27,8 @@ mod write_picture;
 mod write_povray;
 mod write_raster;
 mod write_report;
+mod write_survey;
+mod write_volume;
 
 pub use write_contours::WriteContours;
 pub use write_features::WriteFeatures;
@@ -37,6 +39,8 @@ pub use write_picture::{ViewKind, WritePicture};
 pub use write_povray::WritePovray;
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
+pub use write_survey::WriteSurvey;
+pub use write_volume::WriteVolume;
 
 use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
@@ -47,7 +51,9 @@ landform_core::stages! {
     export WriteFeatures where HeightField, Mesh;
     export WriteMaps where HeightField, Mesh;
     export WriteMesh where HeightField, Mesh, VoxelGrid;
-    export WritePicture where HeightField, Mesh;
+    export WritePicture where HeightField, Mesh, VoxelGrid;
     export WritePovray where HeightField, Mesh;
     export WriteReport where HeightField, Mesh;
+    export WriteSurvey where HeightField, Mesh, VoxelGrid;
+    export WriteVolume where VoxelGrid;
 }

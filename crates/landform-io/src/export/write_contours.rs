@@ -90,7 +90,7 @@ impl<T: Rasterize> Export<T> for WriteContours {
             Geometry::FlatLine(line) => length(line) >= self.least_length.si(),
             _ => true,
         };
-        let features = found.iter().filter(is_long).map(json_of).collect();
+        let features = found.iter().filter(is_long).map(|f| json_of(f, &*raster)).collect();
         out.put(&self.path, collection(landscape.title, &*raster, features)?.as_bytes())
     }
 }

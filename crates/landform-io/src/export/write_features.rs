@@ -1,4 +1,4 @@
-//! Rivers, lakes and basins as a vector file.
+//! Rivers, lakes, basins and passages as a vector file.
 
 use landform_core::analysis::{FeatureSearch, Width, find_features};
 use landform_core::feature::FeatureKind;
@@ -13,7 +13,7 @@ use super::geojson::{collection, json_of};
 
 /// Writes rivers, lakes and basins with their properties as GeoJSON, in the landscape's own metres.
 /// Rivers are lines that only run downhill (x, y and the water's elevation); lakes and basins are
-/// polygons.
+/// polygons. Conduits are lines in space with the distances to their walls.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteFeatures {
@@ -105,6 +105,10 @@ impl<T: Rasterize> Export<T> for WriteFeatures {
         let (terrain, kinds) = (landscape.terrain, self.kinds());
         let known = terrain.features();
         let missing = kinds.iter().copied().filter(|kind| known.of(*kind).next().is_none()).collect::<Vec<_>>();
+        missing
+            .iter()
+            .filter(|kind| kind.left_by().is_some())
+            .try_for_each(|kind| known.need(*kind, &format!("`{}`", Self::NAME)).map(drop))?;
         let found = find_features(
             terrain,
             &FeatureSearch {
@@ -120,7 +124,9 @@ impl<T: Rasterize> Export<T> for WriteFeatures {
                 levels: Vec::new(),
             },
         )?;
-        let of = |kind: &FeatureKind| known.of(*kind).chain(found.of(*kind)).map(json_of).collect::<Vec<_>>();
+        let of = |kind: &FeatureKind| {
+            known.of(*kind).chain(found.of(*kind)).map(|f| json_of(f, terrain)).collect::<Vec<_>>()
+        };
         let features = kinds.iter().flat_map(of).collect();
         out.put(&self.path, collection(landscape.title, terrain, features)?.as_bytes())
     }

@@ -11,8 +11,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::format::{
     MeshFile, RasterFile, blurred, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels,
-    mesh_file_of_water, mesh_format,
+    mesh_file_of_cave, mesh_file_of_water, mesh_format,
 };
+use crate::measure::no_cave;
 
 /// Surface that is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -23,6 +24,8 @@ pub enum MeshSurface {
     Ground,
     /// The water on it, where its depth is known: a sheet that lies on rivers and lakes.
     Water,
+    /// The walls of the cave in voxels, as seen from inside.
+    Cave,
 }
 
 /// Water shallower than this is left out of its sheet, m.
@@ -35,8 +38,8 @@ const SHALLOWEST: f64 = 0.1;
 pub struct WriteMesh {
     /// Path below the output folder.
     pub path: String,
-    /// "ground", or "water": the surface of rivers and lakes, on a raster that has a depth of
-    /// water.
+    /// "ground"; "water": the surface of rivers and lakes, on a raster that has a depth of water; or
+    /// "cave": the walls of passages in voxels, closed, as seen from inside.
     pub surface: MeshSurface,
     /// Depth of a floor under the lowest point: with walls down to it the mesh is watertight, for
     /// printing. If not given, only the surface is written.
@@ -92,6 +95,16 @@ impl WriteMesh {
         }
     }
 
+    fn check_no_cave(&self) -> Result<()> {
+        match self.surface {
+            MeshSurface::Cave => {
+                let expected = "\"ground\"; caves are in voxels, as `rock_volume` or `to_voxels` make them";
+                Err(Error::parameter("surface", "\"cave\" on a surface", expected))
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn write(&self, mesh: MeshFile, out: &mut dyn Output) -> Result<()> {
         if mesh.triangles.is_empty() {
             return Err(Error::NoFace { what: "the surface" });
@@ -107,6 +120,7 @@ impl WriteMesh {
 impl Export<Mesh> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, Mesh>, out: &mut dyn Output) -> Result<()> {
         self.check_surface()?;
+        self.check_no_cave()?;
         if self.surface == MeshSurface::Water {
             return Err(Error::parameter(
                 "surface",
@@ -124,6 +138,10 @@ impl Export<VoxelGrid> for WriteMesh {
         if let Some(name) = given.or(self.solid_base.map(|_| "solid_base")) {
             return Err(Error::parameter(name, "given for voxels", "nothing: voxels are closed all around"));
         }
+        if self.surface == MeshSurface::Cave {
+            let mesh = mesh_file_of_cave(landscape.terrain, self.smoothing);
+            return if mesh.triangles.is_empty() { Err(no_cave()) } else { self.write(mesh, out) };
+        }
         if landscape.terrain.solids() == 0 {
             return Err(nothing_solid());
         }
@@ -134,6 +152,7 @@ impl Export<VoxelGrid> for WriteMesh {
 impl Export<HeightField> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
         self.check_surface()?;
+        self.check_no_cave()?;
         let terrain = landscape.terrain;
         let heights = RasterFile::real(terrain.grid(), terrain.elevation(), "elevation", "m", 0);
         if let Some(note) = blurred(&self.path, &heights) {
@@ -141,7 +160,7 @@ impl Export<HeightField> for WriteMesh {
         }
         self.write(
             match self.surface {
-                MeshSurface::Ground => mesh_file_from_height_field(landscape.terrain),
+                MeshSurface::Ground | MeshSurface::Cave => mesh_file_from_height_field(landscape.terrain),
                 MeshSurface::Water => mesh_file_of_water(landscape.terrain, SHALLOWEST)?,
             },
             out,

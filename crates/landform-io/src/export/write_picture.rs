@@ -2,7 +2,7 @@
 
 use landform_core::analysis::{LEAST_WINDOW, density};
 use landform_core::grid::Shape;
-use landform_core::terrain::{HeightField, NodeSurface, Rasterize};
+use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, Rasterize, VoxelGrid};
 use landform_core::units::{Angle, Length};
 use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
@@ -10,7 +10,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::encode_png;
-use crate::render::{MapStyle, Picture, Ramp, Standpoint, View, field_map, perspective, shaded_map, value_picture};
+use crate::render::{
+    CutawayView, MapStyle, Picture, Ramp, Standpoint, View, cutaway, field_map, perspective, shaded_map, value_picture,
+};
 
 /// Writes a picture (PNG): a map from above, or a perspective view.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -72,6 +74,8 @@ pub enum ViewKind {
     /// The spectral density of relief over the plane of wave numbers, with long waves in the
     /// middle. Density and radius are logarithmic.
     Spectrum,
+    /// Voxels only: a block of rock cut open, with the passages of its cave.
+    Cutaway,
 }
 
 impl Default for WritePicture {
@@ -166,6 +170,10 @@ impl WritePicture {
                 },
             ));
         }
+        if self.view == ViewKind::Cutaway {
+            let expected = "a view of a surface; `to_voxels` or `rock_volume` make what can be cut open";
+            return Err(Error::parameter("view", "\"cutaway\" on a surface", expected));
+        }
         if self.view == ViewKind::Spectrum {
             return self.spectrum(&raster);
         }
@@ -193,6 +201,11 @@ impl WritePicture {
         Err(Error::parameter("standpoint", value, &format!("a place on the map, which is {width} x {height} m")))
     }
 
+    fn write<T: Rasterize>(&self, terrain: &T, out: &mut dyn Output) -> Result<()> {
+        let picture = self.draw(terrain)?;
+        out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?)
+    }
+
     fn spectrum(&self, raster: &HeightField) -> Result<Picture> {
         let Some((_, density)) = density(raster.grid(), raster.elevation(), true) else {
             let value = format!("a raster of {}", raster.grid().shape);
@@ -208,9 +221,40 @@ impl WritePicture {
     }
 }
 
-impl<T: Rasterize> Export<T> for WritePicture {
-    fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
-        let picture = self.draw(landscape.terrain)?;
+impl Export<HeightField> for WritePicture {
+    fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
+        self.write(landscape.terrain, out)
+    }
+}
+
+impl Export<Mesh> for WritePicture {
+    fn export(&self, landscape: &Landscape<'_, Mesh>, out: &mut dyn Output) -> Result<()> {
+        self.write(landscape.terrain, out)
+    }
+}
+
+impl Export<VoxelGrid> for WritePicture {
+    fn export(&self, landscape: &Landscape<'_, VoxelGrid>, out: &mut dyn Output) -> Result<()> {
+        if self.view != ViewKind::Cutaway {
+            let expected = "\"cutaway\" for a voxel grid; `uppermost_surface` makes a height field of it";
+            return Err(Error::parameter("view", "a view of a surface", expected));
+        }
+        let ground = landscape.terrain;
+        let (size, view) = (self.size, View::default());
+        let tilt = self.tilt.map_or(0.62, Angle::si).clamp(0.05, 1.5);
+        let (mut picture, rule) = cutaway(
+            ground,
+            &CutawayView {
+                shape: Shape::new((size * 5 / 8).max(1), size),
+                from: if self.view_from.si() == view.from { 2.62 } else { self.view_from.si() },
+                tilt,
+                sun: [self.sun.si(), self.sun_altitude.si().max(0.6)],
+                zoom: self.zoom,
+            },
+        );
+        let Bounds { low, high } = ground.bounding_box();
+        let side = [0, 1, 2].map(|k| format!("{:.0}", high[k] - low[k])).join(" x ");
+        picture.label(&format!("{side} m, rule in {rule} m"));
         out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?)
     }
 }

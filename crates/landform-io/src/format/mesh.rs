@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use landform_core::algo::polygonise::{Quads, polygonise};
+use landform_core::analysis::cave::cave_voxels;
 use landform_core::field::names;
 use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, VoxelGrid, mesh_parts_from_height_field};
 use landform_core::{Error, Result};
@@ -39,6 +40,37 @@ pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
     let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + v[k] * side[k]);
     let points = quads.points(smooth(&quads, size, rounds)).into_iter().map(at).collect();
     MeshFile { points, triangles: quads.triangles(), middle: None }
+}
+
+/// The walls of the cave alone, as seen from inside; closed where it leaves the box.
+pub fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32) -> MeshFile {
+    let (lattice, cave) = cave_voxels(ground);
+    let inner = lattice.size();
+    // A layer of rock all around keeps ends closed.
+    let size = inner.map(|n| n + 2);
+    let is_cave = |[x, y, z]: [usize; 3]| {
+        let at = [x.wrapping_sub(1), inner[1].wrapping_sub(y), z.wrapping_sub(1)];
+        (0..3).all(|k| at[k] < inner[k]) && cave[lattice.at(at)]
+    };
+    let quads = polygonise(size, |at| !is_cave(at));
+    let Bounds { low, .. } = ground.bounding_box();
+    let side = lattice.sides();
+    let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + (v[k] - 1.0) * side[k]);
+    let lattice_points = quads.points(smooth(&quads, size, rounds));
+    // The outside of that layer is no part of the cave.
+    let is_out = |i: u32| (0..3).any(|k| [0.0, size[k] as f64].contains(&lattice_points[i as usize][k]));
+    let (mut number, mut points, mut triangles) = (vec![u32::MAX; lattice_points.len()], Vec::new(), Vec::new());
+    for triangle in quads.triangles().into_iter().filter(|t| !t.iter().any(|&i| is_out(i))) {
+        triangles.push(triangle.map(|i| {
+            let new = &mut number[i as usize];
+            if *new == u32::MAX {
+                *new = points.len() as u32;
+                points.push(at(lattice_points[i as usize]));
+            }
+            *new
+        }));
+    }
+    MeshFile { points, triangles, middle: None }
 }
 
 /// Vertices of voxels' faces, each moved towards the mean of its neighbours, but not out of the

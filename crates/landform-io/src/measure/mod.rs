@@ -14,31 +14,38 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod cave;
 mod coast;
 mod dunes;
 mod landscape;
+mod network;
 mod simple;
 mod summary;
 
+pub(crate) use cave::no_cave;
+pub use cave::{CaveMeasured, InletMeasured, MeasureCave};
 pub use coast::{CoastMeasured, MeasureCoast};
 pub use dunes::MeasureDunes;
 pub use landscape::MeasureLandscape;
+pub use network::MeasureNetwork;
 pub use simple::{
     DrainageMeasured, MeasureDirections, MeasureDrainage, MeasureHypsometry, MeasureSpectrum, MeasureSurface,
     SpectrumMeasured, SurfaceMeasured,
 };
 pub use summary::{MeasureSummary, Measured};
 
-use landform_core::terrain::{HeightField, Mesh};
+use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
 landform_core::stages! {
     measure MeasureSummary where HeightField, Mesh;
+    measure MeasureCave where VoxelGrid;
     measure MeasureCoast where HeightField, Mesh;
     measure MeasureDirections where HeightField, Mesh;
     measure MeasureDrainage where HeightField, Mesh;
     measure MeasureDunes where HeightField;
     measure MeasureHypsometry where HeightField, Mesh;
     measure MeasureLandscape where HeightField, Mesh;
+    measure MeasureNetwork where HeightField, Mesh, VoxelGrid;
     measure MeasureSpectrum where HeightField, Mesh;
     measure MeasureSurface where HeightField, Mesh;
 }

@@ -17,6 +17,7 @@
 
 mod colour;
 mod cover;
+mod cutaway;
 mod drawing;
 pub(crate) mod ground;
 mod label;
@@ -29,6 +30,7 @@ use landform_core::grid::Shape;
 use serde::{Deserialize, Serialize};
 
 pub use colour::Ramp;
+pub(crate) use cutaway::{CutawayView, cutaway};
 pub use drawing::{Waters, waters};
 pub use map::{MapStyle, difference_map, field_map, shaded_map, value_picture};
 pub(crate) use perspective::BlockView;

@@ -66,7 +66,17 @@ impl Params for FindFeatures {
         if self.features.contains(&FeatureWord::Contours) && self.levels.is_empty() {
             return Err(Error::parameter("levels", "[]", "at least one elevation for contours"));
         }
-        Ok(())
+        match self.features.iter().find_map(|word| Some((word, word.kind().left_by()?))) {
+            Some((word, stage)) => {
+                let given = format!("\"{}s\"", word.kind().word());
+                Err(Error::parameter(
+                    "features",
+                    given,
+                    &format!("kinds that lie on the surface; `{stage}` leaves these"),
+                ))
+            }
+            None => Ok(()),
+        }
     }
 }
 

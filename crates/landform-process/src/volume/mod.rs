@@ -19,18 +19,24 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod rock;
 mod to_voxels;
 mod tunnel;
+mod tunnels;
 mod uppermost_surface;
 
 use landform_core::terrain::{HeightField, VoxelGrid};
 
+pub use rock::{BlockParams, FractureParams, RockBed, RockVolume, SphereParams};
 pub use to_voxels::ToVoxels;
 pub use tunnel::Tunnel;
+pub use tunnels::{Around, Sections, Tunnels};
 pub use uppermost_surface::UppermostSurface;
 
 landform_core::stages! {
+    generate RockVolume => VoxelGrid;
     convert ToVoxels where HeightField => VoxelGrid;
     edit Tunnel where VoxelGrid;
+    convert Tunnels where HeightField => VoxelGrid;
     convert UppermostSurface where VoxelGrid => HeightField;
 }

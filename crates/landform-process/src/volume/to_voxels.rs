@@ -33,6 +33,10 @@ impl Default for ToVoxels {
 impl Params for ToVoxels {
     const NAME: &'static str = "to_voxels";
     const SOURCES: &'static [Source] = &[];
+
+    fn leaves(&self) -> Vec<String> {
+        ["rock", "material"].map(String::from).to_vec()
+    }
 }
 
 impl Convert<HeightField, VoxelGrid> for ToVoxels {

@@ -3,11 +3,13 @@
 //! A column of voxels stands over each node of a raster. Levels count upwards from the underside.
 
 mod erode;
+mod fields;
 mod ground;
 
 use serde::{Deserialize, Serialize};
 
 use super::{Bounds, Kind, Materials, Terrain};
+use crate::feature::Features;
 use crate::grid::{Grid, Shape};
 use crate::{Error, Result, parallel};
 
@@ -37,6 +39,12 @@ pub struct VoxelGrid {
     /// Numbers of materials, level by level from the underside, each in the order of the plan's
     /// nodes.
     voxels: Vec<u8>,
+    /// Named values, each in the order of the voxels.
+    #[serde(default)]
+    fields: Vec<(String, Vec<f32>)>,
+    /// Passages and other features in the ground.
+    #[serde(default)]
+    features: Features,
 }
 
 impl VoxelGrid {
@@ -70,7 +78,8 @@ impl VoxelGrid {
         if let Some(i) = parallel::find_first(count, |i| voxels[i] != EMPTY && voxels[i] >= most) {
             return Err(Error::parameter("material", voxels[i], &format!("a number below {most}")));
         }
-        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels })
+        let (fields, features) = (Vec::new(), Features::default());
+        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels, fields, features })
     }
 
     /// The raster over whose nodes the columns stand.
@@ -91,6 +100,16 @@ impl VoxelGrid {
     /// Height of a voxel, m.
     pub fn height(&self) -> f64 {
         self.height
+    }
+
+    /// Passages, entrances and other features that a stage found or made.
+    pub fn features(&self) -> &Features {
+        &self.features
+    }
+
+    /// Features, to change.
+    pub fn features_mut(&mut self) -> &mut Features {
+        &mut self.features
     }
 
     /// The materials that numbers stand for.
@@ -173,6 +192,6 @@ impl Terrain for VoxelGrid {
     }
 
     fn check_finite(&self) -> Result<(), (&'static str, usize)> {
-        Ok(())
+        self.not_finite().map_or(Ok(()), Err)
     }
 }

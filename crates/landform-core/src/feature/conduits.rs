@@ -1,0 +1,249 @@
+//! Passages under the ground: lines in space with the size of the passage, and the graph that they
+//! form.
+//!
+//! Two conduits meet where they have a place in common, to the last bit.
+
+use std::collections::BTreeMap;
+
+use super::{Feature, FeatureKind, Features, Geometry, Property};
+
+/// Distances from a place of a conduit's line to the walls of the passage, m, as cavers measure
+/// them: left and right looking along the line, up and down.
+///
+/// ```
+/// use landform_core::feature::Passage;
+///
+/// let tube = Passage::round(2.0);
+/// assert_eq!((tube.width(), tube.height()), (4.0, 4.0));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Passage {
+    /// To the left wall, m.
+    pub left: f64,
+    /// To the right wall, m.
+    pub right: f64,
+    /// To the roof, m.
+    pub up: f64,
+    /// To the floor, m.
+    pub down: f64,
+}
+
+impl Passage {
+    /// A round passage of a radius (m).
+    pub const fn round(radius: f64) -> Self {
+        Self { left: radius, right: radius, up: radius, down: radius }
+    }
+
+    /// From wall to wall, m.
+    pub fn width(self) -> f64 {
+        self.left + self.right
+    }
+
+    /// From floor to roof, m.
+    pub fn height(self) -> f64 {
+        self.up + self.down
+    }
+
+    fn get(self, name: &str) -> f64 {
+        match name {
+            "left_m" => self.left,
+            "right_m" => self.right,
+            "up_m" => self.up,
+            _ => self.down,
+        }
+    }
+}
+
+/// Properties of a conduit, a number for each of its places.
+const WALLS: [&str; 4] = ["left_m", "right_m", "up_m", "down_m"];
+
+/// A passage between two junctions or ends.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Conduit {
+    /// Nodes along it, two at least. Of a ring the first is the last.
+    pub nodes: Vec<u32>,
+    /// The passage at each of these nodes.
+    pub passages: Vec<Passage>,
+}
+
+/// The graph of passages.
+///
+/// ```
+/// use landform_core::feature::{ConduitNetwork, Features, Passage};
+///
+/// // A way down that forks.
+/// let nodes = vec![[0.0, 0.0, 90.0], [10.0, 0.0, 80.0], [20.0, 9.0, 75.0], [20.0, -9.0, 76.0]];
+/// let network = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+/// assert_eq!(network.conduits.len(), 3);
+/// let features: Features = network.features().into_iter().collect();
+/// assert_eq!(ConduitNetwork::of(&features), network);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ConduitNetwork {
+    /// Places, m.
+    pub nodes: Vec<[f64; 3]>,
+    /// Passages between junctions and ends.
+    pub conduits: Vec<Conduit>,
+}
+
+impl ConduitNetwork {
+    /// The network that the conduits of a landscape form. Conduits that do not say how far the
+    /// walls are have passages without width.
+    ///
+    /// **Cost** O(places · log places).
+    pub fn of(features: &Features) -> Self {
+        let mut network = Self::default();
+        let mut known: BTreeMap<[u64; 3], u32> = BTreeMap::new();
+        for feature in features.of(FeatureKind::Conduit) {
+            let Geometry::Line(line) = &feature.geometry else { continue };
+            let mut node = |place: &[f64; 3]| {
+                // Zero has two signs.
+                let key = place.map(|v| (v + 0.0).to_bits());
+                *known.entry(key).or_insert_with(|| {
+                    network.nodes.push(*place);
+                    (network.nodes.len() - 1) as u32
+                })
+            };
+            let nodes: Vec<u32> = line.iter().map(&mut node).collect();
+            let walls = WALLS.map(|name| numbers(feature, name));
+            let at = |wall: usize, k: usize| walls[wall].and_then(|w| w.get(k)).copied().unwrap_or_default();
+            let passage = |k: usize| Passage { left: at(0, k), right: at(1, k), up: at(2, k), down: at(3, k) };
+            let passages = (0..nodes.len()).map(passage).collect();
+            network.conduits.push(Conduit { nodes, passages });
+        }
+        network
+    }
+
+    /// A network of places and the edges between them; `passage` is that at a node. Edges that
+    /// follow each other without a junction become one conduit, in the order of the edges; a conduit
+    /// runs from the end of the lower index to the other.
+    ///
+    /// **Cost** O(nodes + edges).
+    pub fn from_edges(nodes: Vec<[f64; 3]>, edges: &[[u32; 2]], passage: impl Fn(u32) -> Passage) -> Self {
+        let mut at: Vec<Vec<u32>> = vec![Vec::new(); nodes.len()];
+        for (k, edge) in edges.iter().enumerate() {
+            edge.iter().for_each(|&n| at[n as usize].push(k as u32));
+        }
+        let mut used = vec![false; edges.len()];
+        let mut conduits = Vec::new();
+        let through = |n: u32| at[n as usize].len() == 2;
+        // Chains between junctions and ends first; what is left are rings.
+        let starts = (0..nodes.len() as u32).filter(|&n| !through(n));
+        for first in starts.chain((0..nodes.len() as u32).filter(|&n| through(n))) {
+            for &edge in &at[first as usize] {
+                if std::mem::replace(&mut used[edge as usize], true) {
+                    continue;
+                }
+                let other = |edge: u32, n: u32| edges[edge as usize].iter().sum::<u32>() - n;
+                let mut chain = vec![first, other(edge, first)];
+                let mut node = chain[1];
+                while through(node) && node != first {
+                    let Some(&next) = at[node as usize].iter().find(|e| !used[**e as usize]) else { break };
+                    used[next as usize] = true;
+                    node = other(next, node);
+                    chain.push(node);
+                }
+                let passages = chain.iter().map(|&n| passage(n)).collect();
+                conduits.push(Conduit { nodes: chain, passages });
+            }
+        }
+        Self { nodes, conduits }
+    }
+
+    /// The conduits as features, numbered from 1, with their length and the distances to the walls
+    /// at each place.
+    pub fn features(&self) -> Vec<Feature> {
+        let feature = |(k, conduit): (usize, &Conduit)| {
+            let line: Vec<[f64; 3]> = conduit.nodes.iter().map(|&n| self.nodes[n as usize]).collect();
+            let walls = WALLS.map(|name| {
+                let values = conduit.passages.iter().map(|p| p.get(name)).collect();
+                (name.to_string(), Property::Numbers(values))
+            });
+            let length = line.windows(2).map(|w| distance(w[0], w[1])).sum::<f64>();
+            let length = ("length_m".to_string(), Property::Number((length * 100.0).round() / 100.0));
+            let properties = std::iter::once(length).chain(walls).collect();
+            Feature { id: (k + 1).to_string(), kind: FeatureKind::Conduit, geometry: Geometry::Line(line), properties }
+        };
+        self.conduits.iter().enumerate().map(feature).collect()
+    }
+
+    /// The two ends of every straight piece, conduit by conduit.
+    pub fn edges(&self) -> Vec<[u32; 2]> {
+        self.conduits.iter().flat_map(|c| c.nodes.windows(2).map(|w| [w[0], w[1]])).collect()
+    }
+
+    /// Nodes joined to each node.
+    pub fn neighbours(&self) -> Vec<Vec<u32>> {
+        let mut joined = vec![Vec::new(); self.nodes.len()];
+        for [a, b] in self.edges() {
+            joined[a as usize].push(b);
+            joined[b as usize].push(a);
+        }
+        joined
+    }
+
+    /// For each node the node of lowest index in the part of the network that hangs together with
+    /// it. **Cost** O(nodes + edges).
+    pub fn parts(&self) -> Vec<u32> {
+        let joined = self.neighbours();
+        let mut part = vec![u32::MAX; self.nodes.len()];
+        for first in 0..self.nodes.len() as u32 {
+            let mut stack = vec![first];
+            while let Some(node) = stack.pop() {
+                if part[node as usize] == u32::MAX {
+                    part[node as usize] = first;
+                    stack.extend(joined[node as usize].iter().filter(|n| part[**n as usize] == u32::MAX));
+                }
+            }
+        }
+        part
+    }
+
+    /// Length of all conduits, m.
+    pub fn length(&self) -> f64 {
+        let piece = |[a, b]: [u32; 2]| distance(self.nodes[a as usize], self.nodes[b as usize]);
+        self.edges().into_iter().map(piece).sum()
+    }
+}
+
+fn numbers<'a>(feature: &'a Feature, name: &str) -> Option<&'a [f64]> {
+    feature.properties.iter().find_map(|(known, property)| match property {
+        Property::Numbers(values) if known == name => Some(values.as_slice()),
+        _ => None,
+    })
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ring_a_fork_and_a_lone_ring_are_chains() {
+        // 0-1-2 with a ring 2-3-4-2, and a ring 5-6-7 apart.
+        let place = |k: u32| [f64::from(k), f64::from(k * k % 7), 10.0 - f64::from(k)];
+        let edges = [[0, 1], [1, 2], [2, 3], [3, 4], [4, 2], [5, 6], [6, 7], [7, 5]];
+        let network = ConduitNetwork::from_edges((0..8).map(place).collect(), &edges, |n| Passage {
+            left: f64::from(n),
+            ..Passage::round(1.0)
+        });
+        let chains: Vec<&[u32]> = network.conduits.iter().map(|c| c.nodes.as_slice()).collect();
+        assert_eq!(chains, [&[0, 1, 2][..], &[2, 3, 4, 2], &[5, 6, 7, 5]]);
+        assert_eq!(network.edges().len(), edges.len());
+        assert_eq!(network.parts(), [0, 0, 0, 0, 0, 5, 5, 5]);
+        let features: Features = network.features().into_iter().collect();
+        assert_eq!(ConduitNetwork::of(&features), network);
+        let direct: f64 = edges.iter().map(|[a, b]| distance(place(*a), place(*b))).sum();
+        assert!((network.length() - direct).abs() < 1e-9);
+    }
+
+    #[test]
+    fn nothing_makes_nothing() {
+        assert_eq!(ConduitNetwork::of(&Features::default()), ConduitNetwork::default());
+        assert!(ConduitNetwork::from_edges(vec![[0.0; 3]], &[], |_| Passage::default()).conduits.is_empty());
+    }
+}

@@ -1,0 +1,136 @@
+//! Where water enters and leaves the rock.
+
+use landform_core::algo::lattice::Lattice;
+use landform_core::grid::Side;
+use landform_core::terrain::VoxelGrid;
+use landform_core::units::Length;
+use landform_core::{Error, Result};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A place where water enters the rock.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InletParams {
+    /// x, y and elevation.
+    pub at: [Length; 3],
+    /// Pressure there, over that of the outlets.
+    #[serde(default = "one")]
+    #[schemars(extend("x-above" = 0.0, "x-max" = 1000.0))]
+    pub pressure: f64,
+    /// Radius within which all voxels take water; if not given, it is one voxel.
+    #[schemars(extend("x-above" = 0.0))]
+    pub radius: Option<Length>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// A part of the rock where water leaves it: a part of a side, or a place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OutletParams {
+    /// Side of the block.
+    pub side: Option<Side>,
+    /// x, y and elevation of a place, instead of a side.
+    pub at: Option<[Length; 3]>,
+    /// Radius around the place; if not given, it is one voxel.
+    #[schemars(extend("x-above" = 0.0))]
+    pub radius: Option<Length>,
+    /// Elevation below which water leaves.
+    pub below: Option<Length>,
+    /// Elevation above which water leaves.
+    pub above: Option<Length>,
+    /// Parts of the side along it, from its western or southern end: [from, to], 0 to 1. If not
+    /// given, all of it.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
+    pub along: Option<[f64; 2]>,
+}
+
+/// Voxels of the ground in a lattice: columns along x, rows from the north along y.
+pub(super) fn lattice_of(ground: &VoxelGrid) -> Lattice {
+    let (shape, [dx, dy]) = (ground.plan().shape, ground.plan().spacing);
+    Lattice::new([shape.cols, shape.rows, ground.levels()], [dx, dy, ground.height()])
+}
+
+/// The middle of a stored voxel, m.
+pub(super) fn middle(ground: &VoxelGrid, lattice: &Lattice, i: usize) -> [f64; 3] {
+    let [x, y, z] = lattice.place(i);
+    ground.middle(z, ground.plan().shape.index(y, x))
+}
+
+fn near(ground: &VoxelGrid, lattice: &Lattice, at: [Length; 3], radius: Option<Length>) -> Vec<usize> {
+    let at = at.map(Length::si);
+    let square = |i: usize| {
+        let m = middle(ground, lattice, i);
+        (0..3).map(|k| (m[k] - at[k]) * (m[k] - at[k])).sum::<f64>()
+    };
+    let within = radius.map_or(0.0, |r| r.si() * r.si());
+    let all: Vec<usize> = lattice.voxels().filter(|&i| square(i) < within).collect();
+    if all.is_empty() {
+        lattice.voxels().min_by(|&a, &b| square(a).total_cmp(&square(b))).into_iter().collect()
+    } else {
+        all
+    }
+}
+
+fn check_inside(ground: &VoxelGrid, name: &str, at: [Length; 3]) -> Result<()> {
+    let (low, high) = bounds(ground);
+    let at = at.map(Length::si);
+    if (0..3).all(|k| low[k] <= at[k] && at[k] <= high[k]) {
+        return Ok(());
+    }
+    let expected = format!("a place in the rock, which lies between {low:?} and {high:?} m");
+    Err(Error::parameter(name, format!("{at:?} m"), &expected))
+}
+
+fn bounds(ground: &VoxelGrid) -> ([f64; 3], [f64; 3]) {
+    let bounds = landform_core::terrain::Ground::bounding_box(ground);
+    (bounds.low, bounds.high)
+}
+
+impl InletParams {
+    /// Its voxels.
+    pub(super) fn voxels(&self, ground: &VoxelGrid, lattice: &Lattice) -> Result<Vec<usize>> {
+        check_inside(ground, "inlets.at", self.at)?;
+        Ok(near(ground, lattice, self.at, self.radius))
+    }
+}
+
+impl OutletParams {
+    /// Its voxels.
+    pub(super) fn voxels(&self, ground: &VoxelGrid, lattice: &Lattice) -> Result<Vec<usize>> {
+        let (low, high) = bounds(ground);
+        let mut voxels = match (self.side, self.at) {
+            (None, Some(at)) => {
+                check_inside(ground, "outlets.at", at)?;
+                near(ground, lattice, at, self.radius)
+            }
+            (Some(side), None) => {
+                let [nx, ny, _] = lattice.size();
+                let on = |[x, y, _]: [usize; 3]| match side {
+                    Side::North => y == 0,
+                    Side::South => y + 1 == ny,
+                    Side::West => x == 0,
+                    Side::East => x + 1 == nx,
+                };
+                lattice.voxels().filter(|&i| on(lattice.place(i))).collect()
+            }
+            _ => return Err(Error::parameter("outlets", "both or none of `side` and `at`", "one of them")),
+        };
+        let axis = usize::from(matches!(self.side, Some(Side::West | Side::East)));
+        voxels.retain(|&i| {
+            let m = middle(ground, lattice, i);
+            let along = (m[axis] - low[axis]) / (high[axis] - low[axis]);
+            self.below.is_none_or(|z| m[2] < z.si())
+                && self.above.is_none_or(|z| m[2] > z.si())
+                && self.along.is_none_or(|[from, to]| from <= along && along <= to)
+        });
+        if voxels.is_empty() {
+            let expected = format!("voxels at elevations from {} to {} m", low[2], high[2]);
+            return Err(Error::parameter("outlets", "a part of the rock without voxels", &expected));
+        }
+        Ok(voxels)
+    }
+}

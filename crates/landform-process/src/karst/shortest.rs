@@ -1,0 +1,202 @@
+//! Shortest paths: the cheapest ways through random places in the rock, thinned to a gamma-graph.
+//!
+//! Paris et al. (2021), sections 4 and 5. A way between two keys is left out where the detour over a
+//! third is cheaper by powers: d(i,k)^γ + d(k,j)^γ < d(i,j)^γ. Costs are per metre, so that they do
+//! not depend on how many places there are.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
+
+use landform_core::{Error, Result, math, parallel};
+
+use super::keys::Keys;
+use super::near::Near;
+use super::rock::Rock;
+use super::space::{Skeleton, Vector, between};
+
+/// Power of the cost where none is given.
+const GAMMA: f64 = 2.0;
+/// More keys than this are refused: all pairs of them are compared over all others.
+const MOST_KEYS: usize = 400;
+/// More places than this are refused.
+const MOST_PLACES: f64 = 200_000.0;
+
+/// Finds the network. Returns the node of each of the keys' ends.
+///
+/// # Errors
+/// [`Error::Parameter`] for too many keys or places.
+pub(super) fn shortest(
+    skeleton: &mut Skeleton,
+    keys: &Keys,
+    rock: &Rock<'_>,
+    gamma: Option<f64>,
+    loops: usize,
+) -> Result<Vec<u32>> {
+    let springs = skeleton.nodes.len();
+    let mut places = skeleton.nodes.clone();
+    places.extend(keys.ends());
+    let count = places.len();
+    if count > MOST_KEYS {
+        let expected =
+            format!("few enough that they, springs and dead ends are at most {MOST_KEYS} with shortest paths");
+        return Err(Error::parameter("sinkholes", format!("{count} places in all"), &expected));
+    }
+    scatter(&mut places, rock)?;
+    let ways = Ways::new(&places, rock);
+    let found: Vec<Search> = parallel::map(count, |key| ways.from(key as u32));
+    let cost = |i: usize, j: usize| found[i.min(j)].far[i.max(j)];
+    let power: Vec<f64> =
+        (0..count * count).map(|k| math::pow(cost(k / count, k % count), gamma.unwrap_or(GAMMA))).collect();
+    let is_direct = |i: usize, j: usize| {
+        let p = power[i * count + j];
+        p.is_finite() && (0..count).all(|k| k == i || k == j || power[i * count + k] + power[k * count + j] >= p)
+    };
+    let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
+    let mut pairs: Vec<(f64, usize, usize)> =
+        pairs.filter(|&(i, j)| is_direct(i, j)).map(|(i, j)| (power[i * count + j], i, j)).collect();
+    if gamma.is_none() {
+        pairs = with_loops(pairs, count, loops);
+    }
+    let mut used: BTreeSet<[u32; 2]> = BTreeSet::new();
+    for (_, i, j) in pairs {
+        let mut node = j as u32;
+        while found[i].before[node as usize] != u32::MAX {
+            let before = found[i].before[node as usize];
+            used.insert([node.min(before), node.max(before)]);
+            node = before;
+        }
+    }
+    let mut number: BTreeMap<u32, u32> = (0..springs as u32).map(|n| (n, n)).collect();
+    for key in springs..count {
+        number.insert(key as u32, skeleton.node(places[key]));
+    }
+    for &[a, b] in &used {
+        let ends = [a, b].map(|n| *number.entry(n).or_insert_with(|| skeleton.node(places[n as usize])));
+        skeleton.edges.push(ends);
+    }
+    smooth(skeleton, count);
+    Ok((springs..count).map(|k| k as u32).collect())
+}
+
+/// The cheapest ways that hold all keys together, and the cheapest others, as many as loops are
+/// wanted.
+fn with_loops(mut pairs: Vec<(f64, usize, usize)>, count: usize, loops: usize) -> Vec<(f64, usize, usize)> {
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let mut part: Vec<usize> = (0..count).collect();
+    let mut left = loops;
+    pairs.retain(|&(_, i, j)| {
+        let (a, b) = (part[i], part[j]);
+        part.iter_mut().filter(|p| **p == b).for_each(|p| *p = a);
+        let is_loop = a == b && left > 0;
+        left -= usize::from(is_loop);
+        a != b || is_loop
+    });
+    pairs
+}
+
+/// Random places around the water table, one a cell.
+fn scatter(places: &mut Vec<Vector>, rock: &Rock<'_>) -> Result<()> {
+    let cell = [2.5 * rock.step, 2.5 * rock.step, 1.25 * rock.step];
+    let fold = |f: fn(f64, f64) -> f64, start: f64| places.iter().map(|p| p[2]).fold(start, f);
+    let (low, high) = (fold(f64::min, f64::INFINITY) - cell[2], fold(f64::max, f64::NEG_INFINITY) + cell[2]);
+    let from = [rock.bounds[0][0], rock.bounds[0][1], low];
+    let to = [rock.bounds[1][0], rock.bounds[1][1], high];
+    let counts = [0, 1, 2].map(|k| ((to[k] - from[k]) / cell[k]).ceil().max(1.0));
+    let all: f64 = counts.iter().product();
+    if all > MOST_PLACES {
+        let expected = format!("steps that make at most {MOST_PLACES} places");
+        return Err(Error::parameter("step", format!("{} m: {all:.0} places", rock.step), &expected));
+    }
+    let counts = counts.map(|c| c as u64);
+    let seed = rock.seed.named("places");
+    for i in 0..counts.iter().product::<u64>() {
+        let cell_at = [i % counts[0], i / counts[0] % counts[1], i / (counts[0] * counts[1])];
+        let part = [0, 1, 2].map(|k| cell_at[k] as f64 + seed.uniform(3 * i + k as u64));
+        let at = [0, 1, 2].map(|k| from[k] + part[k] * cell[k]);
+        if rock.holds(at) {
+            places.push(at);
+        }
+    }
+    Ok(())
+}
+
+/// Ways between places and what they cost.
+struct Ways {
+    ways: Vec<Vec<(u32, f64)>>,
+}
+
+/// Costs from a place, and the place before each on the cheapest way.
+#[derive(Clone, Default)]
+struct Search {
+    far: Vec<f64>,
+    before: Vec<u32>,
+}
+
+impl Ways {
+    fn new(places: &[Vector], rock: &Rock<'_>) -> Self {
+        let reach = 5.0 * rock.step;
+        let near = Near::new(places, reach);
+        let of = |i: usize| {
+            let others = near.within(places[i], reach).into_iter().filter(|&j| j as usize != i);
+            others
+                .map(|j| {
+                    // The same either way.
+                    let (a, b) = (i.min(j as usize), i.max(j as usize));
+                    (j, rock.cost(places[a], places[b]))
+                })
+                .collect::<Vec<_>>()
+        };
+        let mut ways = parallel::map(places.len(), of);
+        // A place without others around it is joined to the nearest of all.
+        for i in 0..places.len() {
+            if ways[i].is_empty() {
+                let far = |j: &usize| super::space::distance(places[*j], places[i]);
+                let others = (0..places.len()).filter(|j| *j != i);
+                if let Some(j) = others.min_by(|a, b| far(a).total_cmp(&far(b))) {
+                    let cost = rock.cost(places[i.min(j)], places[i.max(j)]);
+                    ways[i].push((j as u32, cost));
+                    ways[j].push((i as u32, cost));
+                }
+            }
+        }
+        Self { ways }
+    }
+
+    /// Dijkstra's search.
+    fn from(&self, source: u32) -> Search {
+        let n = self.ways.len();
+        let mut search = Search { far: vec![f64::INFINITY; n], before: vec![u32::MAX; n] };
+        search.far[source as usize] = 0.0;
+        // Costs are not negative: their bits are in their order.
+        let mut heap = BinaryHeap::from([Reverse((0_u64, source))]);
+        while let Some(Reverse((bits, node))) = heap.pop() {
+            let far = f64::from_bits(bits);
+            if far > search.far[node as usize] {
+                continue;
+            }
+            for &(to, cost) in &self.ways[node as usize] {
+                let next = far + cost;
+                if next < search.far[to as usize] {
+                    search.far[to as usize] = next;
+                    search.before[to as usize] = node;
+                    heap.push(Reverse((next.to_bits(), to)));
+                }
+            }
+        }
+        search
+    }
+}
+
+/// Takes the corners off passages between forks; the first `keys` nodes stay.
+fn smooth(skeleton: &mut Skeleton, keys: usize) {
+    let joined = skeleton.joined();
+    for _ in 0..3 {
+        let before = skeleton.nodes.clone();
+        for (i, others) in joined.iter().enumerate().skip(keys) {
+            if let [a, b] = others[..] {
+                let middle = between(before[a as usize], before[b as usize], 0.5);
+                skeleton.nodes[i] = between(before[i], middle, 0.5);
+            }
+        }
+    }
+}
