@@ -56,7 +56,7 @@ pub struct OutletParams {
     pub below: Option<Length>,
     /// Elevation above which water leaves.
     pub above: Option<Length>,
-    /// Parts of the side along it, from its western or southern end: [from, to], 0 to 1. If not
+    /// Part of the side along it, from its western or southern end: [from, to], 0 to 1. If not
     /// given, all of it.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub along: Option<[f64; 2]>,

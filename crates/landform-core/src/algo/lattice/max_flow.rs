@@ -17,6 +17,15 @@ const HALF: usize = NEIGHBOURS / 2;
 const UNSEEN: u32 = u32::MAX;
 
 /// A greatest flow from sources to sinks.
+///
+/// ```
+/// use landform_core::algo::lattice::{Lattice, MaxFlow};
+///
+/// let pair = Lattice::new([2, 1, 1], [1.0; 3]);
+/// let (capacity, parts) = (pair.padded([7, 4].into_iter(), 0), vec![0; pair.stored()]);
+/// let flow = MaxFlow::between(&pair, &capacity, &parts, &[pair.at([0; 3])], &[pair.at([1, 0, 0])]);
+/// assert_eq!(flow.value(), 4);
+/// ```
 #[derive(Clone, Debug)]
 pub struct MaxFlow<'a> {
     lattice: &'a Lattice,

@@ -47,8 +47,8 @@ pub struct RockVolume {
     /// Balls in which porosity and permeability fall towards the middle, as obstacles, or rise: {
     /// at, radius, factor }.
     pub spheres: Vec<SphereParams>,
-    /// By which number the permeability of plain rock varies from place to place: the logarithm of its
-    /// ratio to the mean reaches about this far to either side. 0 is even rock.
+    /// By which number the permeability of plain rock varies from place to place: the logarithm of
+    /// its ratio to the mean reaches about this far to either side. 0 is even rock.
     #[schemars(extend("x-min" = 0.0, "x-max" = 4.0))]
     pub variation: f64,
     /// Distance over which it varies. If not given, it is eight voxels.
