@@ -527,8 +527,8 @@ fn there_is_one_match_on_representations() {
     assert!(arms[0].ends_with("terrain/any.rs"));
 }
 
-/// The recipe of a limestone cave that fixes the words of caves: inlets break through, one joins the
-/// other, and every file comes.
+/// The recipe that fixes the words of caves: inlets break through, one joins the other, and every
+/// file comes.
 #[test]
 fn a_limestone_cave_is_dissolved_measured_and_written() {
     let text = include_str!("../gallery/75_limestone_cave.toml")

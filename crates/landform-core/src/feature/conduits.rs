@@ -115,7 +115,7 @@ impl ConduitNetwork {
     }
 
     /// A network of places and the edges between them; `passage` is that at a node. Edges that
-    /// follow each other without a junction become one conduit, in the order of the edges; a conduit
+    /// follow each other without a junction become one conduit, in the order of edges; a conduit
     /// runs from the end of the lower index to the other.
     ///
     /// **Cost** O(nodes + edges).

@@ -38,7 +38,7 @@ const SHALLOWEST: f64 = 0.1;
 pub struct WriteMesh {
     /// Path below the output folder.
     pub path: String,
-    /// "ground"; "water": the surface of rivers and lakes, on a raster that has a depth of water; or
+    /// "ground"; "water": the surface of rivers and lakes, on a raster that knows their depth; or
     /// "cave": the walls of passages in voxels, closed, as seen from inside.
     pub surface: MeshSurface,
     /// Depth of a floor under the lowest point: with walls down to it the mesh is watertight, for

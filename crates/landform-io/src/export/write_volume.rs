@@ -14,6 +14,10 @@ use serde_json::json;
 /// Writes the values of voxels; the extension sets the format: vti (VTK image data, for ParaView;
 /// x east, y north, z up) or npy (one field, indexed by level from the underside, row from the
 /// north, column from the west, with its size and place in a JSON file beside it).
+///
+/// ```
+/// assert_eq!(landform_io::export::WriteVolume::default().field, "rock");
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteVolume {

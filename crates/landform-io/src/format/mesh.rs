@@ -43,7 +43,7 @@ pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
 }
 
 /// The walls of the cave alone, as seen from inside; closed where it leaves the box.
-pub fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32) -> MeshFile {
+pub(crate) fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32) -> MeshFile {
     let (lattice, cave) = cave_voxels(ground);
     let inner = lattice.size();
     // A layer of rock all around keeps ends closed.

@@ -12,6 +12,10 @@ use serde::{Deserialize, Serialize};
 
 /// Measures a cave: length, plan area, volume, width, density, coverage, porosity, the kinds of
 /// cave with such numbers, and when each inlet broke through.
+///
+/// ```
+/// assert_eq!(landform_io::measure::MeasureCave::default().path, "cave.json");
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MeasureCave {
@@ -57,6 +61,19 @@ impl Params for MeasureCave {
 }
 
 /// What was measured of a cave.
+///
+/// ```
+/// use landform_core::analysis::cave::morphometry;
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::{Materials, VoxelGrid};
+///
+/// let plan = Grid::new(Shape::new(1, 3), [1.0, 1.0])?;
+/// let ground = VoxelGrid::from_fn(plan, 3, 0.0, 1.0, &Materials::default(), |l, n| (l != 1 || n != 1).then_some(0))?;
+/// let form = morphometry(&ground, 5.0).unwrap();
+/// let found = landform_io::measure::CaveMeasured { form, breakthroughs: 0, captures: 0, inlets: Vec::new() };
+/// assert_eq!(found.form.volume_m3, 1.0);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, Serialize)]
 pub struct CaveMeasured {
     /// The form of its passages.
@@ -71,11 +88,21 @@ pub struct CaveMeasured {
 }
 
 /// What became of an inlet.
+///
+/// ```
+/// let inlet = landform_io::measure::InletMeasured {
+///     inlet: "1".into(),
+///     breakthrough_iteration: Some(176.0),
+///     outlet: Some("1".into()),
+///     joins_inlet: None,
+/// };
+/// assert!(inlet.joins_inlet.is_none());
+/// ```
 #[derive(Clone, Debug, Serialize)]
 pub struct InletMeasured {
     /// Its number in the recipe, from 1.
     pub inlet: String,
-    /// Iteration in which an open passage first led to an outlet; none if none does.
+    /// Number of the iteration in which an open passage first led to an outlet; none if none does.
     pub breakthrough_iteration: Option<f64>,
     /// Number of the outlet, from 1.
     pub outlet: Option<String>,

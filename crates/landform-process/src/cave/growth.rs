@@ -12,9 +12,9 @@
 //!   their permeability, at most what they have room for. All read what was there before anyone
 //!   gave; where more comes than there is room, each giver gives its share (the thesis updates in
 //!   place, in the order of visits).
-//! - Dissolution: `f = (w_a f_a + f_c)^m`, with `f_c` the water that came and `f_a` the mean over the
-//!   26 neighbours of what came to those of lower pressure, times the permeability up to 4; porosity
-//!   grows by `min(w_0 f s, 1 − P)`, s the solubility.
+//! - Dissolution: `f = (w_a f_a + f_c)^m`, with `f_c` the water that came and `f_a` the mean over
+//!   the 26 neighbours of what came to those of lower pressure, times the permeability up to 4;
+//!   porosity grows by `min(w_0 f s, 1 − P)`, s the solubility.
 
 use landform_core::algo::lattice::{Lattice, NEIGHBOURS, lower};
 use landform_core::math;

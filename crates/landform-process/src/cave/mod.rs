@@ -51,6 +51,10 @@ landform_core::stages! {
 /// Dissolves a cave in a block of rock: protochannels from the inlets, then growth and linkage of
 /// channels to the outlets. It leaves the passages empty, the fields porosity, pressure and
 /// protochannel, and the centreline, inlets and outlets as features.
+///
+/// ```
+/// assert_eq!(landform_process::cave::Cave::default().iterations, 240);
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Cave {
@@ -63,19 +67,19 @@ pub struct Cave {
     /// Iterations of growth.
     #[schemars(extend("x-min" = 0, "x-max" = 1_000_000))]
     pub iterations: u32,
-    /// Most by which pressure grows in rock, a metre away from where it is lower.
+    /// Most by which pressure grows in rock, 1/m, away from where it is lower.
     #[schemars(extend("x-above" = 0.0, "x-max" = 1000.0))]
     pub pressure_rate: f64,
-    /// The same in channels.
+    /// The same in channels, 1/m.
     #[schemars(extend("x-above" = 0.0, "x-max" = 1000.0))]
     pub pressure_rate_channel: f64,
-    /// Porosity that a full flow adds in an iteration.
+    /// Porosity that a full flow adds in an iteration, as a fraction.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub dissolution: f64,
     /// Part of the flow that dissolves the walls beside it.
     #[schemars(extend("x-min" = 0.0, "x-max" = 10.0))]
     pub dissolution_aside: f64,
-    /// Power of the flow in dissolution.
+    /// Power of the flow in dissolution: an exponent.
     #[schemars(extend("x-min" = 0.1, "x-max" = 4.0))]
     pub flow_exponent: f64,
     /// Porosity above which a voxel is empty, in meshes, measures and files.
@@ -87,12 +91,6 @@ pub struct Cave {
     /// Part of them that lead towards the outlets; the others lead all around.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub clustered: Ratio,
-}
-
-impl Default for OutletParams {
-    fn default() -> Self {
-        Self { side: None, at: None, radius: None, below: None, above: None, along: None }
-    }
 }
 
 impl Default for Cave {
@@ -167,7 +165,7 @@ impl Cave {
             outlets.push(low.map(|place| lattice.at(place)).collect());
         }
         let is_both = |i: &usize| outlets.iter().any(|o| o.contains(i));
-        if inlets.iter().any(|inlet| inlet.0.iter().any(|i| is_both(i))) {
+        if inlets.iter().any(|inlet| inlet.0.iter().any(&is_both)) {
             return Err(Error::parameter("inlets", "a place that is an outlet too", "places apart from the outlets"));
         }
         Ok(Ends { inlets, outlets })

@@ -9,12 +9,19 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A place where water enters the rock.
+///
+/// ```
+/// use landform_process::cave::InletParams;
+///
+/// let inlet: InletParams = serde_json::from_str(r#"{"at":["4 m","20 m","17 m"]}"#).unwrap();
+/// assert_eq!(inlet.pressure, 1.0);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct InletParams {
     /// x, y and elevation.
     pub at: [Length; 3],
-    /// Pressure there, over that of the outlets.
+    /// Pressure there as a number, over that of the outlets.
     #[serde(default = "one")]
     #[schemars(extend("x-above" = 0.0, "x-max" = 1000.0))]
     pub pressure: f64,
@@ -28,7 +35,14 @@ fn one() -> f64 {
 }
 
 /// A part of the rock where water leaves it: a part of a side, or a place.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+///
+/// ```
+/// use landform_process::cave::OutletParams;
+///
+/// let outlet: OutletParams = serde_json::from_str(r#"{"side":"east","below":"5 m"}"#).unwrap();
+/// assert!(outlet.at.is_none());
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OutletParams {
     /// Side of the block.
@@ -42,7 +56,7 @@ pub struct OutletParams {
     pub below: Option<Length>,
     /// Elevation above which water leaves.
     pub above: Option<Length>,
-    /// Parts of the side along it, from its western or southern end: [from, to], 0 to 1. If not
+    /// Part of the side along it, from its western or southern end: [from, to], 0 to 1. If not
     /// given, all of it.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub along: Option<[f64; 2]>,

@@ -17,6 +17,15 @@ const HALF: usize = NEIGHBOURS / 2;
 const UNSEEN: u32 = u32::MAX;
 
 /// A greatest flow from sources to sinks.
+///
+/// ```
+/// use landform_core::algo::lattice::{Lattice, MaxFlow};
+///
+/// let pair = Lattice::new([2, 1, 1], [1.0; 3]);
+/// let (capacity, parts) = (pair.padded([7, 4].into_iter(), 0), vec![0; pair.stored()]);
+/// let flow = MaxFlow::between(&pair, &capacity, &parts, &[pair.at([0; 3])], &[pair.at([1, 0, 0])]);
+/// assert_eq!(flow.value(), 4);
+/// ```
 #[derive(Clone, Debug)]
 pub struct MaxFlow<'a> {
     lattice: &'a Lattice,
@@ -82,11 +91,32 @@ impl<'a> MaxFlow<'a> {
     }
 
     /// The flow from all sources together.
+    ///
+    /// ```
+    /// use landform_core::algo::lattice::{Lattice, MaxFlow};
+    ///
+    /// let row = Lattice::new([3, 1, 1], [1.0; 3]);
+    /// let (capacity, parts) = (row.padded([5, 2, 5].into_iter(), 0), vec![0; row.stored()]);
+    /// let [west, east] = [0, 2].map(|x| row.at([x, 0, 0]));
+    /// let flow = MaxFlow::between(&row, &capacity, &parts, &[west], &[east]);
+    /// assert_eq!(flow.value(), 2);
+    /// ```
     pub fn value(&self) -> u64 {
         self.value
     }
 
     /// The flow from a voxel to its neighbour of a number; negative if it comes from there.
+    ///
+    /// ```
+    /// use landform_core::algo::lattice::{Lattice, MaxFlow};
+    ///
+    /// let row = Lattice::new([3, 1, 1], [1.0; 3]);
+    /// let (capacity, parts) = (row.padded([5, 2, 5].into_iter(), 0), vec![0; row.stored()]);
+    /// let [west, east] = [0, 2].map(|x| row.at([x, 0, 0]));
+    /// let flow = MaxFlow::between(&row, &capacity, &parts, &[west], &[east]);
+    /// // The neighbour in the east is number 13.
+    /// assert_eq!((flow.to(west, 13), flow.to(east, 12)), (2, -2));
+    /// ```
     #[inline]
     pub fn to(&self, i: usize, k: usize) -> i32 {
         if k >= HALF {

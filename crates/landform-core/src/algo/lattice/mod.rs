@@ -25,19 +25,23 @@ pub use thinning::{Thinning, thin};
 pub use topology::{Topology, components, topology};
 
 /// Neighbours of a voxel.
+///
+/// ```
+/// assert_eq!(landform_core::algo::lattice::NEIGHBOURS, 26);
+/// ```
 pub const NEIGHBOURS: usize = 26;
 
 /// A box of voxels, stored with a border of one voxel.
 ///
-/// Neighbours are numbered in the order of their indices, 0 to 25; those of numbers k and 25 − k lie
-/// opposite each other.
+/// Neighbours are numbered in the order of their indices, 0 to 25; those of numbers k and 25 − k
+/// lie opposite each other.
 ///
 /// ```
 /// use landform_core::algo::lattice::Lattice;
 ///
 /// let cube = Lattice::new([3, 3, 3], [1.0; 3]);
-/// let lengths: Vec<f64> = (0..26).map(|k| cube.length(k)).collect();
-/// assert_eq!(lengths.iter().filter(|l| **l == 1.0).count(), 6);
+/// let middle = cube.at([1, 1, 1]);
+/// assert_eq!(cube.neighbour(cube.neighbour(middle, 4), 25 - 4), middle);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lattice {
@@ -53,6 +57,12 @@ pub struct Lattice {
 
 impl Lattice {
     /// A box of `size` voxels whose sides are `sides` metres.
+    ///
+    /// ```
+    /// use landform_core::algo::lattice::Lattice;
+    ///
+    /// assert_eq!(Lattice::new([2, 2, 2], [1.0; 3]).voxels().count(), 8);
+    /// ```
     pub fn new(size: [usize; 3], sides: [f64; 3]) -> Self {
         let [nx, ny, _] = size.map(|n| (n + 2) as isize);
         let all = (-1..=1).flat_map(|z: i8| (-1..=1).flat_map(move |y: i8| (-1..=1).map(move |x: i8| [x, y, z])));
@@ -65,27 +75,52 @@ impl Lattice {
     }
 
     /// Voxels along each axis.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.size(), [4, 3, 2]);
+    /// ```
     pub fn size(&self) -> [usize; 3] {
         self.size
     }
 
     /// Sides of a voxel, m.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.sides(), [1.0, 1.0, 0.5]);
+    /// ```
     pub fn sides(&self) -> [f64; 3] {
         self.sides
     }
 
     /// How many values an array of the box has, those of its border included.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.stored(), 6 * 5 * 4);
+    /// ```
     pub fn stored(&self) -> usize {
         self.size.iter().map(|n| n + 2).product()
     }
 
     /// Where the value of a voxel is stored.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.at([1, 0, 0]), lattice.at([0, 0, 0]) + 1);
+    /// ```
     #[inline]
     pub fn at(&self, [x, y, z]: [usize; 3]) -> usize {
         ((z + 1) * (self.size[1] + 2) + y + 1) * (self.size[0] + 2) + x + 1
     }
 
     /// The voxel whose value is stored at `i`. The border has numbers beyond those of the box.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.place(lattice.at([3, 2, 1])), [3, 2, 1]);
+    /// ```
     #[inline]
     pub fn place(&self, i: usize) -> [usize; 3] {
         let [nx, ny] = [self.size[0] + 2, self.size[1] + 2];
@@ -93,6 +128,11 @@ impl Lattice {
     }
 
     /// Whether a voxel lies in the box, not in its border.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert!(lattice.is_inside(lattice.at([3, 2, 1])) && !lattice.is_inside(0));
+    /// ```
     #[inline]
     pub fn is_inside(&self, i: usize) -> bool {
         let place = self.place(i);
@@ -100,6 +140,12 @@ impl Lattice {
     }
 
     /// Where the values of all voxels are stored: x runs fastest, then y, then z.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.voxels().next(), Some(lattice.at([0; 3])));
+    /// assert_eq!(lattice.voxels().count(), 24);
+    /// ```
     pub fn voxels(&self) -> impl Iterator<Item = usize> + '_ {
         let [nx, ny, nz] = self.size;
         (0..nz).flat_map(move |z| {
@@ -111,29 +157,46 @@ impl Lattice {
     }
 
     /// The 26 neighbours of a voxel, those in the border included.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.neighbours(lattice.at([1, 1, 1])).count(), 26);
+    /// ```
     #[inline]
     pub fn neighbours(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
         self.offsets.iter().map(move |o| i.wrapping_add_signed(*o))
     }
 
     /// The neighbour of a number.
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// let i = lattice.at([1, 1, 0]);
+    /// assert_eq!(lattice.neighbour(i, 13), lattice.at([2, 1, 0]));
+    /// ```
     #[inline]
     pub fn neighbour(&self, i: usize, k: usize) -> usize {
         i.wrapping_add_signed(self.offsets[k])
     }
 
     /// Distance to the neighbour of a number, m.
-    pub fn length(&self, k: usize) -> f64 {
+    pub(crate) fn length(&self, k: usize) -> f64 {
         self.lengths[k]
     }
 
     /// Steps along the axes to the neighbour of a number.
-    pub fn step(&self, k: usize) -> [i8; 3] {
+    pub(crate) fn step(&self, k: usize) -> [i8; 3] {
         self.steps[k]
     }
 
     /// An array with a value for each voxel and `border` around them, from values in the order of
     /// [`Lattice::voxels`].
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// let stored = lattice.padded(0..24, -1);
+    /// assert_eq!((stored[0], stored[lattice.at([1, 0, 0])]), (-1, 1));
+    /// ```
     pub fn padded<T: Copy>(&self, values: impl Iterator<Item = T>, border: T) -> Vec<T> {
         let mut out = vec![border; self.stored()];
         self.voxels().zip(values).for_each(|(i, value)| out[i] = value);
@@ -141,6 +204,11 @@ impl Lattice {
     }
 
     /// The values of the voxels alone, in the order of [`Lattice::voxels`].
+    ///
+    /// ```
+    /// let lattice = landform_core::algo::lattice::Lattice::new([4, 3, 2], [1.0, 1.0, 0.5]);
+    /// assert_eq!(lattice.unpadded(&lattice.padded(0..24, -1)).len(), 24);
+    /// ```
     pub fn unpadded<T: Copy>(&self, stored: &[T]) -> Vec<T> {
         self.voxels().map(|i| stored[i]).collect()
     }

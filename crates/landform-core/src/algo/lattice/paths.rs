@@ -3,8 +3,8 @@
 //! # Method
 //! Dijkstra with buckets (Dial 1969) whose width is not above the least cost of a step where that
 //! is not too narrow; a voxel that is lowered again within its bucket goes on from there, so that
-//! the result is exact for any width. Costs and values are whole numbers: sums have no rounding, and
-//! the least over all paths does not depend on the order of visits.
+//! the result is exact for any width. Costs and values are whole numbers: sums have no rounding,
+//! and the least over all paths does not depend on the order of visits.
 //!
 //! # Checked by
 //! `tests`: equality with Bellman and Ford's sweeps; values that were lowered in part; mirror
@@ -20,7 +20,8 @@ const NARROWEST: u32 = 10;
 /// Lowers values until none exceeds a neighbour's by more than the cost of the step from there:
 /// `v(N) ≤ v(S) + slope(S) · distance(S, N)`. Only voxels that can be reached from `seeds` are
 /// looked at; whatever was lowered or whose slope fell since the last call must be among them.
-/// Values, and slopes a metre, are stored as [`Lattice`] says; a border of zeros keeps paths inside.
+/// Values, and slopes a metre, are stored as [`Lattice`] says; a border of zeros keeps paths
+/// inside.
 /// A step costs at least 1. Returns how many times a voxel was passed on from.
 ///
 /// **Cost** O(voxels that change), about 0.1 µs each.

@@ -3,12 +3,12 @@
 //! # Method
 //! Pytel, sections 2.4.3 and 5.4.2: length of the centreline; plan area of the sheet between floors
 //! and roofs; the field around the plan, a rectangle or all within a radius of a passage. One plan
-//! area is used throughout, so that coverage is density times width (the thesis took a sloped area
-//! for the width).
+//! area is used throughout, so that coverage is density times width (the thesis took a sloped
+//! area for the width).
 //!
 //! # Sources
-//! Ranges: Klimchouk (2003), optimised field; Frumkin & Fischhendler (2005), rectangular field; both
-//! as in Pytel, Tables 2.1 and 2.2.
+//! Ranges: Klimchouk (2003), optimised field; Frumkin & Fischhendler (2005), rectangular field;
+//! both as in Pytel, Tables 2.1 and 2.2.
 
 use serde::Serialize;
 
@@ -28,11 +28,11 @@ use crate::terrain::VoxelGrid;
 pub struct Share {
     /// Area of the field, m².
     pub field_m2: f64,
-    /// Length over its area, m/m².
+    /// Length over its area, m for each m².
     pub density_m_m2: f64,
-    /// Plan area over its area, percent.
+    /// Part of it that is plan of passages, %.
     pub coverage_percent: f64,
-    /// Volume over that of the block under it, percent.
+    /// Part of the block under it that is cave, %.
     pub porosity_percent: f64,
 }
 
@@ -87,7 +87,7 @@ pub struct Morphometry {
     pub depth_range_m: f64,
     /// Mean width: plan area over length, m.
     pub width_m: f64,
-    /// Length over mean width.
+    /// Ratio of length to mean width.
     pub length_to_width: f64,
     /// Caves that do not hang together.
     pub pieces: usize,
@@ -105,8 +105,8 @@ pub struct Morphometry {
     pub classes: Vec<CaveClass>,
 }
 
-/// Measures the cave in some ground; `radius` is that of the optimised field, m. None if there is no
-/// cave.
+/// Measures the cave in some ground; `radius` is that of the optimised field, m. None if there is
+/// no cave.
 ///
 /// **Cost** O(voxels), and O(plan · radius²).
 ///

@@ -5,12 +5,28 @@ use crate::{Error, Result, parallel};
 
 impl VoxelGrid {
     /// Name of the part of a voxel's volume that is open, 0 to 1.
+    ///
+    /// ```
+    /// assert_eq!(landform_core::terrain::VoxelGrid::POROSITY, "porosity");
+    /// ```
     pub const POROSITY: &'static str = "porosity";
     /// Name of the permeability over that of plain rock.
+    ///
+    /// ```
+    /// assert_eq!(landform_core::terrain::VoxelGrid::PERMEABILITY, "permeability");
+    /// ```
     pub const PERMEABILITY: &'static str = "permeability";
     /// Name of how readily water dissolves a voxel, 0 to 1.
+    ///
+    /// ```
+    /// assert_eq!(landform_core::terrain::VoxelGrid::SOLUBILITY, "solubility");
+    /// ```
     pub const SOLUBILITY: &'static str = "solubility";
     /// Name of the pressure of water, in the unit of the inlets.
+    ///
+    /// ```
+    /// assert_eq!(landform_core::terrain::VoxelGrid::PRESSURE, "pressure");
+    /// ```
     pub const PRESSURE: &'static str = "pressure";
 
     /// The values of a field, a number a voxel, level by level from the underside, each in the

@@ -7,6 +7,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A set of parallel fractures.
+///
+/// ```
+/// let set = r#"{"dip_direction":"120 deg","dip":"85 deg","spacing":"9 m"}"#;
+/// let set: landform_process::volume::FractureParams = serde_json::from_str(set).unwrap();
+/// assert_eq!(set.permeability, 4.0);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FractureParams {
@@ -18,7 +24,7 @@ pub struct FractureParams {
     /// Mean distance between planes, across them.
     #[schemars(extend("x-above" = 0.0))]
     pub spacing: Length,
-    /// Permeability along the planes over that of plain rock.
+    /// Permeability along the planes as a factor on that of plain rock.
     #[serde(default = "four")]
     #[schemars(extend("x-above" = 0.0, "x-max" = 1000.0))]
     pub permeability: f64,
@@ -26,7 +32,7 @@ pub struct FractureParams {
     #[serde(default = "closed")]
     #[schemars(extend("x-min" = 0.0, "x-max" = 10.0))]
     pub aperture: Length,
-    /// How far planes lie off an even spacing: 0 none, 1 by up to half of it.
+    /// Share of the spacing by which planes lie off even places: 0 none, 1 by up to half of it.
     #[serde(default = "half")]
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub irregularity: f64,

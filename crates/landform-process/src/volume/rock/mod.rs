@@ -17,6 +17,10 @@ use fractures::{Fall, Planes};
 
 /// A block of rock in voxels, with porosity, permeability and solubility in each: beds of any dip,
 /// and sets of fractures. The permeability is over that of plain rock. Caves are dissolved in it.
+///
+/// ```
+/// assert_eq!(landform_process::volume::RockVolume::default().porosity.si(), 0.05);
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct RockVolume {
@@ -35,7 +39,7 @@ pub struct RockVolume {
     pub dip: Angle,
     /// Compass direction towards which they dip.
     pub dip_direction: Angle,
-    /// Permeability along the planes between beds over that of plain rock.
+    /// Permeability along the planes between beds as a factor on that of plain rock.
     #[schemars(extend("x-min" = 0.01, "x-max" = 1000.0))]
     pub bedding_permeability: f64,
     /// Sets of fractures: { dip_direction, dip, spacing, permeability, aperture }.
@@ -43,8 +47,8 @@ pub struct RockVolume {
     /// Balls in which porosity and permeability fall towards the middle, as obstacles, or rise: {
     /// at, radius, factor }.
     pub spheres: Vec<SphereParams>,
-    /// How much the permeability of plain rock varies from place to place: the logarithm of its
-    /// ratio to the mean reaches about this far to either side. 0 is even rock.
+    /// By which number the permeability of plain rock varies from place to place: the logarithm of
+    /// its ratio to the mean reaches about this far to either side. 0 is even rock.
     #[schemars(extend("x-min" = 0.0, "x-max" = 4.0))]
     pub variation: f64,
     /// Distance over which it varies. If not given, it is eight voxels.
@@ -53,6 +57,10 @@ pub struct RockVolume {
 }
 
 /// Extent of a block and side of a voxel.
+///
+/// ```
+/// assert_eq!(landform_process::volume::BlockParams::default().cell_size.si(), 1.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct BlockParams {
@@ -65,6 +73,12 @@ pub struct BlockParams {
 }
 
 /// A bed of rock.
+///
+/// ```
+/// let bed = r#"{"material":"marl","thickness":"1 m"}"#;
+/// let bed: landform_process::volume::RockBed = serde_json::from_str(bed).unwrap();
+/// assert_eq!(bed.thickness.si(), 1.0);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RockBed {
@@ -76,6 +90,12 @@ pub struct RockBed {
 }
 
 /// A ball of other rock.
+///
+/// ```
+/// let ball = r#"{"at":["3 m","4 m","5 m"],"radius":"2 m","factor":0.1}"#;
+/// let ball: landform_process::volume::SphereParams = serde_json::from_str(ball).unwrap();
+/// assert_eq!(ball.radius.si(), 2.0);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereParams {
@@ -119,7 +139,7 @@ impl BlockParams {
         let (size, cell) = (self.size.map(Length::si), self.cell_size.si());
         let whole = size.map(|s| (s / cell).round().max(1.0));
         let count = whole.iter().product::<f64>();
-        if !(cell > 0.0 && size.iter().all(|s| *s > 0.0)) || !count.is_finite() {
+        if !(cell > 0.0 && size.iter().all(|s| *s > 0.0) && count.is_finite()) {
             return Err(Error::parameter("grid.size", format!("{size:?} m in voxels of {cell} m"), "more than 0 m"));
         }
         if count >= f64::from(u32::MAX) {
