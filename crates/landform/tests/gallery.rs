@@ -279,12 +279,17 @@ struct Golden {
 }
 
 fn golden(terrain: &AnyTerrain) -> Golden {
-    // Of voxels without an elevation, how far each is dissolved.
-    let porosity = |ground: &VoxelGrid| {
-        let field = ground.field(VoxelGrid::POROSITY);
-        field.unwrap_or_default().iter().map(|v| f64::from(*v)).collect::<Vec<_>>()
+    // Of voxels, which have no elevation, how far each is dissolved, or else which are empty.
+    let voxels = |ground: &VoxelGrid| match ground.field(VoxelGrid::POROSITY) {
+        Some(porosity) => porosity.iter().map(|v| f64::from(*v)).collect::<Vec<_>>(),
+        None => {
+            let nodes = 0..ground.plan().len();
+            let level =
+                |level| nodes.clone().map(move |node| f64::from(u8::from(ground.material(level, node).is_none())));
+            (0..ground.levels()).flat_map(level).collect()
+        }
     };
-    let body = terrain.get::<VoxelGrid>("a golden").ok().map(porosity);
+    let body = terrain.get::<VoxelGrid>("a golden").ok().map(voxels);
     let z = body.as_deref().unwrap_or(terrain.elevation());
     // FNV-1a over the bits.
     let hash = z

@@ -30,16 +30,32 @@ pub struct Passage {
 
 impl Passage {
     /// A round passage of a radius (m).
+    ///
+    /// ```
+    /// assert_eq!(landform_core::feature::Passage::round(1.5).left, 1.5);
+    /// ```
     pub const fn round(radius: f64) -> Self {
         Self { left: radius, right: radius, up: radius, down: radius }
     }
 
     /// From wall to wall, m.
+    ///
+    /// ```
+    /// use landform_core::feature::Passage;
+    ///
+    /// assert_eq!(Passage { left: 1.0, right: 3.0, ..Passage::default() }.width(), 4.0);
+    /// ```
     pub fn width(self) -> f64 {
         self.left + self.right
     }
 
     /// From floor to roof, m.
+    ///
+    /// ```
+    /// use landform_core::feature::Passage;
+    ///
+    /// assert_eq!(Passage { up: 1.0, down: 2.0, ..Passage::default() }.height(), 3.0);
+    /// ```
     pub fn height(self) -> f64 {
         self.up + self.down
     }
@@ -58,6 +74,13 @@ impl Passage {
 const WALLS: [&str; 4] = ["left_m", "right_m", "up_m", "down_m"];
 
 /// A passage between two junctions or ends.
+///
+/// ```
+/// use landform_core::feature::{Conduit, Passage};
+///
+/// let conduit = Conduit { nodes: vec![3, 4], passages: vec![Passage::round(1.0); 2] };
+/// assert_eq!(conduit.nodes.len(), conduit.passages.len());
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Conduit {
     /// Nodes along it, two at least. Of a ring the first is the last.
@@ -91,6 +114,15 @@ impl ConduitNetwork {
     /// walls are have passages without width.
     ///
     /// **Cost** O(places · log places).
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let fork = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+    /// let features = fork.features().into_iter().collect();
+    /// assert_eq!(ConduitNetwork::of(&features).length(), 25.0);
+    /// ```
     pub fn of(features: &Features) -> Self {
         let mut network = Self::default();
         let mut known: BTreeMap<[u64; 3], u32> = BTreeMap::new();
@@ -119,6 +151,14 @@ impl ConduitNetwork {
     /// runs from the end of the lower index to the other.
     ///
     /// **Cost** O(nodes + edges).
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let fork = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+    /// assert_eq!((fork.nodes.len(), fork.conduits.len()), (4, 3));
+    /// ```
     pub fn from_edges(nodes: Vec<[f64; 3]>, edges: &[[u32; 2]], passage: impl Fn(u32) -> Passage) -> Self {
         let mut at: Vec<Vec<u32>> = vec![Vec::new(); nodes.len()];
         for (k, edge) in edges.iter().enumerate() {
@@ -152,6 +192,14 @@ impl ConduitNetwork {
 
     /// The conduits as features, numbered from 1, with their length and the distances to the walls
     /// at each place.
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let fork = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+    /// assert_eq!(fork.features().len(), 3);
+    /// ```
     pub fn features(&self) -> Vec<Feature> {
         let feature = |(k, conduit): (usize, &Conduit)| {
             let line: Vec<[f64; 3]> = conduit.nodes.iter().map(|&n| self.nodes[n as usize]).collect();
@@ -168,11 +216,27 @@ impl ConduitNetwork {
     }
 
     /// The two ends of every straight piece, conduit by conduit.
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let fork = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+    /// assert_eq!(fork.edges().len(), 3);
+    /// ```
     pub fn edges(&self) -> Vec<[u32; 2]> {
         self.conduits.iter().flat_map(|c| c.nodes.windows(2).map(|w| [w[0], w[1]])).collect()
     }
 
     /// Nodes joined to each node.
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let fork = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+    /// assert_eq!(fork.neighbours()[1].len(), 3);
+    /// ```
     pub fn neighbours(&self) -> Vec<Vec<u32>> {
         let mut joined = vec![Vec::new(); self.nodes.len()];
         for [a, b] in self.edges() {
@@ -184,6 +248,14 @@ impl ConduitNetwork {
 
     /// For each node the node of lowest index in the part of the network that hangs together with
     /// it. **Cost** O(nodes + edges).
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let fork = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+    /// assert_eq!(fork.parts(), [0; 4]);
+    /// ```
     pub fn parts(&self) -> Vec<u32> {
         let joined = self.neighbours();
         let mut part = vec![u32::MAX; self.nodes.len()];
@@ -200,6 +272,14 @@ impl ConduitNetwork {
     }
 
     /// Length of all conduits, m.
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let fork = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2], [1, 3]], |_| Passage::round(1.0));
+    /// assert_eq!(fork.length(), 25.0);
+    /// ```
     pub fn length(&self) -> f64 {
         let piece = |[a, b]: [u32; 2]| distance(self.nodes[a as usize], self.nodes[b as usize]);
         self.edges().into_iter().map(piece).sum()

@@ -81,6 +81,12 @@ impl FeatureKind {
     }
 
     /// The stage that leaves features of this kind; none for those that are found on a surface.
+    ///
+    /// ```
+    /// use landform_core::feature::FeatureKind;
+    ///
+    /// assert!(FeatureKind::Conduit.left_by().is_some());
+    /// ```
     pub fn left_by(self) -> Option<&'static str> {
         matches!(self, Self::Conduit | Self::Sinkhole | Self::Spring | Self::Entrance).then_some("karst_network")
     }

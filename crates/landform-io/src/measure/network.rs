@@ -10,6 +10,10 @@ use serde::{Deserialize, Serialize};
 
 /// Measures the network of conduits: lengths, tortuosity, orientation, cycles, degrees, shortest
 /// ways, and whether they are as in natural karst.
+///
+/// ```
+/// assert_eq!(landform_io::measure::MeasureNetwork::default().path, "network.json");
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct MeasureNetwork {

@@ -1,7 +1,7 @@
 //! Caves that water dissolves in rock.
 //!
 //! # Sources
-//! Pytel (2012), chapter 5: protochannels, then growth and linkage. Where the thesis leaves the
+//! Pytel (2015), chapter 5: protochannels, then growth and linkage. Where the thesis leaves the
 //! order of updates open, or its listings disagree with its text, the files of this folder say what
 //! is done.
 //!
@@ -114,7 +114,7 @@ impl Default for Cave {
 impl Params for Cave {
     const NAME: &'static str = "cave";
     const SOURCES: &'static [Source] = &[Source {
-        authors: "Pytel (2012)",
+        authors: "Pytel (2015)",
         title: "Erosion, Self-Organization, and Procedural Modeling, chapter 5, University of Waterloo",
         doi: "",
     }];

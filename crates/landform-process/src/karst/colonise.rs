@@ -1,8 +1,8 @@
 //! Space colonisation: a network grows from the springs, and each place that it must reach pulls
 //! at the node next to it.
 //!
-//! Runions, Lane & Prusinkiewicz (2007), section 3, with open venation. A place stops to pull when a
-//! node has come within a step and a half of it; the passage then ends there.
+//! Runions, Lane & Prusinkiewicz (2007), section 3, with open venation. A place stops to pull when
+//! a node has come within a step and a half of it; the passage then ends there.
 
 use super::keys::Keys;
 use super::rock::Rock;

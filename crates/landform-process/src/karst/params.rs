@@ -10,6 +10,12 @@ use super::Preset;
 
 /// Grows a network of karst conduits from sinkholes to springs, by space colonisation or by
 /// shortest paths, along beds and fractures; it leaves conduits, sinkholes and springs as features.
+///
+/// ```
+/// let text = r#"{"sinkholes":12,"radius":["1 m","4 m"]}"#;
+/// let given: landform_process::karst::KarstNetwork = serde_json::from_str(text).unwrap();
+/// assert_eq!(given.radius.map(|r| r.si()), [1.0, 4.0]);
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct KarstNetwork {
@@ -36,11 +42,12 @@ pub struct KarstNetwork {
     /// Blind side passages. If not given, it follows from the pattern.
     #[schemars(extend("x-min" = 0, "x-max" = 10_000))]
     pub dead_ends: Option<u32>,
-    /// Loops that are closed, as far as there are places for them. If not given, it follows from the
-    /// pattern.
+    /// Loops that are closed, as far as there are places for them. If not given, it follows from
+    /// the pattern.
     #[schemars(extend("x-min" = 0, "x-max" = 10_000))]
     pub cycles: Option<u32>,
-    /// Length of a passage over the distance that it covers, away from what makes it turn.
+    /// Ratio of the length of a passage to the distance that it covers, away from what makes it
+    /// turn.
     #[schemars(extend("x-min" = 1.0, "x-max" = 2.0))]
     pub tortuosity: f64,
     /// Length of the bends of passages. If not given, it is a fortieth of the longer side of the
@@ -61,6 +68,12 @@ pub struct KarstNetwork {
 }
 
 /// How the ways of a network are found.
+///
+/// ```
+/// use landform_process::karst::{KarstNetwork, Method};
+///
+/// assert_eq!(KarstNetwork::default().method, Method::SpaceColonisation);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
@@ -72,6 +85,12 @@ pub enum Method {
 }
 
 /// Sinkholes: how many, or where.
+///
+/// ```
+/// use landform_process::karst::{KarstNetwork, Sinkholes};
+///
+/// assert_eq!(KarstNetwork::default().sinkholes, Sinkholes::Count(20));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Sinkholes {
@@ -82,6 +101,12 @@ pub enum Sinkholes {
 }
 
 /// A spring.
+///
+/// ```
+/// let text = r#"{"at":["1.9 km","300 m"],"water_table":"20 m"}"#;
+/// let given: landform_process::karst::Spring = serde_json::from_str(text).unwrap();
+/// assert_eq!(given.water_table.map(|level| level.si()), Some(20.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Spring {
@@ -93,6 +118,10 @@ pub struct Spring {
 }
 
 /// A family of fractures of nearly the same attitude.
+///
+/// ```
+/// assert_eq!(landform_process::karst::Fracture::default().weight, 1.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Fracture {
@@ -104,7 +133,7 @@ pub struct Fracture {
     /// By how much directions scatter.
     #[schemars(extend("x-min" = 0.0, "x-max" = 45.0))]
     pub tolerance: Angle,
-    /// How strongly passages follow them; 0 not at all.
+    /// Weight with which passages follow them; 0 not at all.
     #[schemars(extend("x-min" = 0.0, "x-max" = 10.0))]
     pub weight: f64,
 }
@@ -116,6 +145,12 @@ impl Default for Fracture {
 }
 
 /// A bedding plane.
+///
+/// ```
+/// let text = r#"{"elevation":"35 m"}"#;
+/// let given: landform_process::karst::Bed = serde_json::from_str(text).unwrap();
+/// assert_eq!(given.elevation.si(), 35.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Bed {
@@ -126,7 +161,7 @@ pub struct Bed {
     /// Angle below the horizontal.
     #[schemars(extend("x-min" = 0.0, "x-max" = 60.0))]
     pub dip: Angle,
-    /// How strongly passages keep to it; 0 not at all.
+    /// Weight with which passages keep to it; 0 not at all.
     #[schemars(extend("x-min" = 0.0, "x-max" = 10.0))]
     pub weight: f64,
 }
@@ -138,6 +173,12 @@ impl Default for Bed {
 }
 
 /// A sphere without passages.
+///
+/// ```
+/// let text = r#"{"at":["100 m","100 m","50 m"],"radius":"30 m"}"#;
+/// let given: landform_process::karst::Forbidden = serde_json::from_str(text).unwrap();
+/// assert_eq!(given.radius.si(), 30.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Forbidden {

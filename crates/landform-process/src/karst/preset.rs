@@ -4,6 +4,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Pattern of a network (Palmer 1991, Origin and morphology of limestone caves, GSA Bulletin 103).
+///
+/// ```
+/// use landform_process::karst::{KarstNetwork, Preset};
+///
+/// assert_eq!(KarstNetwork::default().preset, Preset::Branchwork);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Preset {

@@ -1,8 +1,8 @@
 //! Shortest paths: the cheapest ways through random places in the rock, thinned to a gamma-graph.
 //!
-//! Paris et al. (2021), sections 4 and 5. A way between two keys is left out where the detour over a
-//! third is cheaper by powers: d(i,k)^γ + d(k,j)^γ < d(i,j)^γ. Costs are per metre, so that they do
-//! not depend on how many places there are.
+//! Paris et al. (2021), sections 4 and 5. A way between two keys is left out where the detour over
+//! a third is cheaper by powers: d(i,k)^γ + d(k,j)^γ < d(i,j)^γ. Costs are per metre, so that they
+//! do not depend on how many places there are.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};

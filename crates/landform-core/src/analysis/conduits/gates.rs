@@ -5,19 +5,37 @@ use serde::Serialize;
 use super::NetworkStatistics;
 
 /// A measure beside its range on natural networks.
+///
+/// ```
+/// use landform_core::analysis::network_statistics;
+///
+/// let ends = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [-8.0, -6.0, 0.0]];
+/// let star = network_statistics(&ends, &[[0, 1], [0, 2], [0, 3]]);
+/// let beside = &star.natural_ranges[0];
+/// assert_eq!((beside.measure, beside.natural), ("tortuosity", [1.12, 1.54]));
+/// assert!(!beside.in_range, "its branches are straight");
+/// ```
 #[derive(Clone, Debug, Serialize)]
 pub struct NaturalRange {
     /// Name of the measure.
     pub measure: &'static str,
     /// Its value; a ratio.
     pub value: f64,
-    /// Least and greatest value on 34 natural networks (31 for lengths), a little widened.
+    /// Least and greatest ratio on 34 natural networks (31 for lengths), a little widened.
     pub natural: [f64; 2],
     /// Whether the value lies between them.
     pub in_range: bool,
 }
 
 /// Pattern of a network.
+///
+/// ```
+/// use landform_core::analysis::{Pattern, network_statistics};
+///
+/// let ends = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [-8.0, -6.0, 0.0]];
+/// let star = network_statistics(&ends, &[[0, 1], [0, 2], [0, 3]]);
+/// assert_eq!(star.pattern, Pattern::Branchwork);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Pattern {

@@ -22,6 +22,14 @@ use crate::feature::{ConduitNetwork, Passage};
 use crate::math;
 
 /// Statistics of a network of passages. Ratios have no unit.
+///
+/// ```
+/// use landform_core::analysis::network_statistics;
+///
+/// let ends = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [-8.0, -6.0, 0.0]];
+/// let star = network_statistics(&ends, &[[0, 1], [0, 2], [0, 3]]);
+/// assert_eq!((star.length, star.vertical_range, star.parts), (30.0, 0.0, 1));
+/// ```
 #[derive(Clone, Debug, Serialize)]
 pub struct NetworkStatistics {
     /// Places.
@@ -46,21 +54,21 @@ pub struct NetworkStatistics {
     pub looping_branches: usize,
     /// Mean length of a branch, m.
     pub mean_branch_length: f64,
-    /// Standard deviation of the lengths of branches over their mean.
+    /// Ratio of the standard deviation of the lengths of branches to their mean.
     pub length_variation: f64,
-    /// Entropy of the lengths of branches, 0 to 1.
+    /// Entropy of the lengths of branches, a number from 0 to 1.
     pub length_entropy: f64,
-    /// Mean length of a branch over the distance of its ends.
+    /// Mean ratio of the length of a branch to the distance of its ends.
     pub tortuosity: f64,
-    /// Entropy of the azimuths of legs, weighted by length in plan, 0 to 1.
+    /// Entropy of the azimuths of legs, weighted by length in plan: a number from 0 to 1.
     pub orientation_entropy: f64,
-    /// Cycles over the most that a planar graph can have.
+    /// Number of cycles over the most that a planar graph can have.
     pub alpha: f64,
-    /// Edges a vertex.
+    /// Number of edges a vertex.
     pub beta: f64,
-    /// Edges over the most that a planar graph can have.
+    /// Number of edges over the most that a planar graph can have.
     pub gamma: f64,
-    /// From alpha, beta and gamma: 0 for a tree, 1 for a net.
+    /// A number from alpha, beta and gamma: 0 for a tree, 1 for a net.
     pub complexity: f64,
     /// Mean number of edges at a vertex.
     pub mean_degree: f64,
@@ -70,7 +78,7 @@ pub struct NetworkStatistics {
     pub degree_correlation: f64,
     /// Mean number of edges on the shortest way between two vertices.
     pub mean_shortest_path: f64,
-    /// Central point dominance: 0 where all vertices are equal, 1 for a star.
+    /// Central point dominance, a number: 0 where all vertices are equal, 1 for a star.
     pub central_point_dominance: f64,
     /// Measures beside their range on natural networks.
     pub natural_ranges: Vec<NaturalRange>,

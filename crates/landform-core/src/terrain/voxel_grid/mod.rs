@@ -103,11 +103,40 @@ impl VoxelGrid {
     }
 
     /// Passages, entrances and other features that a stage found or made.
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{Materials, VoxelGrid};
+    /// use landform_core::feature::FeatureKind;
+    ///
+    /// let plan = Grid::new(Shape::new(2, 2), [1.0; 2])?;
+    /// let rock = VoxelGrid::from_fn(plan, 2, 0.0, 1.0, &Materials::default(), |_, _| Some(0))?;
+    /// assert_eq!(rock.features().of(FeatureKind::Conduit).count(), 0);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn features(&self) -> &Features {
         &self.features
     }
 
     /// Features, to change.
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{Materials, VoxelGrid};
+    /// use landform_core::feature::{Feature, FeatureKind, Geometry};
+    ///
+    /// let plan = Grid::new(Shape::new(2, 2), [1.0; 2])?;
+    /// let mut rock = VoxelGrid::from_fn(plan, 2, 0.0, 1.0, &Materials::default(), |_, _| Some(0))?;
+    /// let spring = Feature {
+    ///     id: "1".into(),
+    ///     kind: FeatureKind::Spring,
+    ///     geometry: Geometry::Point([0.0; 3]),
+    ///     properties: Vec::new(),
+    /// };
+    /// rock.features_mut().update(std::iter::once(spring).collect());
+    /// assert_eq!(rock.features().of(FeatureKind::Spring).count(), 1);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn features_mut(&mut self) -> &mut Features {
         &mut self.features
     }

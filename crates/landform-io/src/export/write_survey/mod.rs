@@ -12,6 +12,14 @@ use serde::{Deserialize, Serialize};
 
 /// Writes conduits as a cave survey: stations, the legs between them, entrances, and the distances
 /// from each station to the walls. The extension sets the format: svx (Survex), th (Therion).
+///
+/// ```
+/// use landform_core::verb::Params;
+/// use landform_io::export::WriteSurvey;
+///
+/// assert!(WriteSurvey::default().check().is_ok());
+/// assert!(WriteSurvey { path: "cave.doc".into() }.check().is_err());
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteSurvey {

@@ -15,6 +15,12 @@ use section::{Piece, Section};
 
 /// Turns the ground around conduits into voxels and hollows out their passages: tubes, canyons,
 /// keyholes and shafts. The rest of the map is left out; fields of the raster are lost.
+///
+/// ```
+/// let text = r#"{"cell_size":"2 m","around":{"feature":"conduits","buffer":"40 m"}}"#;
+/// let given: landform_process::volume::Tunnels = serde_json::from_str(text).unwrap();
+/// assert_eq!(given.cell_size.si(), 2.0);
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Tunnels {
@@ -28,11 +34,17 @@ pub struct Tunnels {
 }
 
 /// Shape of passages across.
+///
+/// ```
+/// use landform_process::volume::{Sections, Tunnels};
+///
+/// assert_eq!(Tunnels::default().sections, Sections::BySlope);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Sections {
-    /// By the slope of the passage and by its water: wide tubes under the water table, canyons where
-    /// water runs down to it, keyholes where the water table has fallen a little, shafts where it
+    /// By the slope of the passage and by its water: wide tubes under the water table, canyons
+    /// where water runs down to it, keyholes where the water table has fallen a little, shafts where it
     /// drops. All have the area of a circle of the conduit's radius.
     #[default]
     BySlope,
@@ -41,6 +53,12 @@ pub enum Sections {
 }
 
 /// The ground around features.
+///
+/// ```
+/// let text = r#"{"feature":"conduits","buffer":"40 m"}"#;
+/// let given: landform_process::volume::Around = serde_json::from_str(text).unwrap();
+/// assert_eq!(given.buffer.si(), 40.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Around {
