@@ -67,7 +67,7 @@ pub struct CaveClass {
 ///
 /// let plan = Grid::new(Shape::new(11, 40), [1.0, 1.0])?;
 /// let mut ground = VoxelGrid::from_fn(plan, 9, 0.0, 1.0, &Materials::default(), |_, _| Some(0))?;
-/// ground.empty(Bounds { low: [2.0, 3.6, 3.0], high: [36.0, 6.4, 6.0] }, |_| true);
+/// ground.empty(Bounds { low: [2.0, 3.6, 3.2], high: [36.0, 6.4, 5.8] }, |_| true);
 /// let found = morphometry(&ground, 5.0).unwrap();
 /// assert_eq!(found.volume_m3, 3.0 * 3.0 * 35.0);
 /// assert_eq!(found.plan_area_m2, 3.0 * 35.0);

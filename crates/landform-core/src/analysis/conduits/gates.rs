@@ -32,9 +32,10 @@ pub struct NaturalRange {
 /// ```
 /// use landform_core::analysis::{Pattern, network_statistics};
 ///
-/// let ends = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [-8.0, -6.0, 0.0]];
-/// let star = network_statistics(&ends, &[[0, 1], [0, 2], [0, 3]]);
-/// assert_eq!(star.pattern, Pattern::Branchwork);
+/// // A passage with twenty tributaries.
+/// let places: Vec<[f64; 3]> = (0..40).map(|k| [f64::from(k / 2 * 10), f64::from(k % 2 * 7), 0.0]).collect();
+/// let legs: Vec<[u32; 2]> = (0..20).map(|k| [2 * k, 2 * k + 1]).chain((1..20).map(|k| [2 * k - 2, 2 * k])).collect();
+/// assert_eq!(network_statistics(&places, &legs).pattern, Pattern::Branchwork);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]

@@ -68,7 +68,7 @@ pub struct NetworkStatistics {
     pub beta: f64,
     /// Number of edges over the most that a planar graph can have.
     pub gamma: f64,
-    /// A number from alpha, beta and gamma: 0 for a tree, 1 for a net.
+    /// A number from alpha, beta and gamma: near 0 for a large tree, 1 for a net.
     pub complexity: f64,
     /// Mean number of edges at a vertex.
     pub mean_degree: f64,
