@@ -310,6 +310,7 @@ fn the_schema_knows_every_stage() {
     }
     assert!(schema["$defs"]["evolve"].is_object() && schema["$defs"]["clock"].is_object());
     let text = schema.to_string();
+    assert!(!text.contains("```"), "examples for Rust are not for recipes");
     for reference in text.split("\"#/$defs/").skip(1).map(|r| r.split('"').next().unwrap()) {
         assert!(schema["$defs"][reference].is_object(), "{reference} is not defined");
     }

@@ -2,7 +2,6 @@
 
 use std::any::Any;
 
-use schemars::JsonSchema;
 use serde_json::Value as Json;
 
 use super::parameters::{Parameters, Refusal, typed};
@@ -10,7 +9,7 @@ use crate::sim::Model;
 use crate::terrain::{AnyTerrain, Kind, Representation};
 use crate::verb::{
     Context, Convert, Edit, Estimate, Export, Generator, Landscape, Measure, Output, OwnClock, Params, Process, Reach,
-    Source, add_hints, properties,
+    Source, add_hints, properties, schema_of,
 };
 use crate::{Error, Result};
 
@@ -113,11 +112,6 @@ impl Form {
 
 fn defaults_of<P: Params>() -> Json {
     serde_json::to_value(P::default()).unwrap_or_default()
-}
-
-/// The JSON schema of parameters.
-pub(crate) fn schema_of<P: JsonSchema>() -> Json {
-    schemars::schema_for!(P).to_value()
 }
 
 /// What a stage does on a kind of terrain.

@@ -98,9 +98,35 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     }
 }
 
-/// The JSON schema of a set of parameters.
-fn schema_of<P: JsonSchema>() -> Value {
-    schemars::schema_for!(P).to_value()
+/// The JSON schema of a type, with its documentation as descriptions, but for examples in Rust.
+///
+/// ```
+/// use landform_core::verb::{Wind, schema_of};
+///
+/// assert_eq!(schema_of::<Wind>()["description"], "A wind of a rose.");
+/// ```
+pub fn schema_of<P: JsonSchema>() -> Value {
+    let mut schema = schemars::schema_for!(P).to_value();
+    without_examples(&mut schema);
+    schema
+}
+
+fn without_examples(schema: &mut Value) {
+    match schema {
+        Value::Object(object) => {
+            for (key, value) in object {
+                match value {
+                    Value::String(text) if key == "description" => {
+                        let prose = text.find("\n\n```").unwrap_or(text.len());
+                        text.truncate(prose);
+                    }
+                    _ => without_examples(value),
+                }
+            }
+        }
+        Value::Array(all) => all.iter_mut().for_each(without_examples),
+        _ => {}
+    }
 }
 
 /// Name and schema of each parameter, in order of declaration.

@@ -333,7 +333,7 @@ impl EntryReader<'_> {
         let refused = |refusal| self.refuse(name, &landform_core::verb::properties::<P>(), refusal, node);
         let params: P = serde_path_to_error::deserialize(&node.json()).map_err(|e| refused(Refusal::Shape(e)))?;
         let values = serde_json::to_value(&params).unwrap_or_default();
-        let schema = schemars::schema_for!(P).to_value();
+        let schema = landform_core::verb::schema_of::<P>();
         let ranges = landform_core::verb::validate_ranges(&schema, &values);
         ranges.and_then(|()| check(&params)).map_err(|e| refused(Refusal::Value(e)))?;
         Ok(params)

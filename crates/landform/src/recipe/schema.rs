@@ -8,8 +8,7 @@ use std::collections::BTreeMap;
 
 use landform_core::stage::{Stage, Verb};
 use landform_core::terrain::MaterialParams;
-use landform_core::verb::Environment;
-use schemars::JsonSchema;
+use landform_core::verb::{Environment, schema_of};
 use serde_json::{Map, Value as Json, json};
 
 use super::entry::EVOLVE;
@@ -73,11 +72,6 @@ fn named_by_use(names: &[&str], prefix: &str) -> Json {
     };
     json!({ "type": "object", "required": ["use"], "properties": { "use": { "enum": names } },
         "allOf": names.iter().map(rule).collect::<Vec<_>>() })
-}
-
-/// The JSON schema of a type.
-fn schema_of<P: JsonSchema>() -> Json {
-    schemars::schema_for!(P).to_value()
 }
 
 /// Moves the types that a schema defines to those of the recipe; one whose name is taken by another
