@@ -44,8 +44,8 @@ pub struct Tunnels {
 #[serde(rename_all = "snake_case")]
 pub enum Sections {
     /// By the slope of the passage and by its water: wide tubes under the water table, canyons
-    /// where water runs down to it, keyholes where the water table has fallen a little, shafts where
-    /// it drops. All have the area of a circle of the conduit's radius.
+    /// where water runs down to it, keyholes where the water table has fallen a little, shafts
+    /// where it drops. All have the area of a circle of the conduit's radius.
     #[default]
     BySlope,
     /// As far to all sides as the conduit says.
