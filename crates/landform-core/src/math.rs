@@ -53,6 +53,17 @@ pub fn smoothstep(edge0: f64, edge1: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
+/// Distance between two places, in their unit.
+///
+/// ```
+/// assert_eq!(landform_core::math::distance([0.0, 0.0, 1.0], [3.0, 4.0, 1.0]), 5.0);
+/// ```
+#[inline]
+pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+}
+
 /// Least-squares line through points: (slope, intercept, R²). NaN with fewer than two different
 /// abscissae.
 pub fn line_fit(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64, f64) {

@@ -16,3 +16,5 @@ pub mod outline;
 pub mod polygonise;
 pub mod sampling;
 pub mod thin_plate;
+
+pub use disjoint_sets::DisjointSets;

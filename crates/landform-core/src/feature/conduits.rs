@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::{Feature, FeatureKind, Features, Geometry, Property};
+use crate::math::distance;
 
 /// Distances from a place of a conduit's line to the walls of the passage, m, as cavers measure
 /// them: left and right looking along the line, up and down.
@@ -137,7 +138,7 @@ impl ConduitNetwork {
                 })
             };
             let nodes: Vec<u32> = line.iter().map(&mut node).collect();
-            let walls = WALLS.map(|name| numbers(feature, name));
+            let walls = WALLS.map(|name| feature.numbers(name));
             let at = |wall: usize, k: usize| walls[wall].and_then(|w| w.get(k)).copied().unwrap_or_default();
             let passage = |k: usize| Passage { left: at(0, k), right: at(1, k), up: at(2, k), down: at(3, k) };
             let passages = (0..nodes.len()).map(passage).collect();
@@ -238,12 +239,7 @@ impl ConduitNetwork {
     /// assert_eq!(fork.neighbours()[1].len(), 3);
     /// ```
     pub fn neighbours(&self) -> Vec<Vec<u32>> {
-        let mut joined = vec![Vec::new(); self.nodes.len()];
-        for [a, b] in self.edges() {
-            joined[a as usize].push(b);
-            joined[b as usize].push(a);
-        }
-        joined
+        adjacency(self.nodes.len(), &self.edges())
     }
 
     /// For each node the node of lowest index in the part of the network that hangs together with
@@ -286,16 +282,20 @@ impl ConduitNetwork {
     }
 }
 
-fn numbers<'a>(feature: &'a Feature, name: &str) -> Option<&'a [f64]> {
-    feature.properties.iter().find_map(|(known, property)| match property {
-        Property::Numbers(values) if known == name => Some(values.as_slice()),
-        _ => None,
-    })
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+/// The nodes joined to each of so many nodes, in the order of the edges.
+///
+/// ```
+/// use landform_core::feature::adjacency;
+///
+/// assert_eq!(adjacency(3, &[[0, 1], [2, 1]]), [vec![1], vec![0, 2], vec![1]]);
+/// ```
+pub fn adjacency(nodes: usize, edges: &[[u32; 2]]) -> Vec<Vec<u32>> {
+    let mut joined = vec![Vec::new(); nodes];
+    for &[a, b] in edges {
+        joined[a as usize].push(b);
+        joined[b as usize].push(a);
+    }
+    joined
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Error, Result};
 
-pub use conduits::{Conduit, ConduitNetwork, Passage};
+pub use conduits::{Conduit, ConduitNetwork, Passage, adjacency};
 pub use distance::near;
 
 /// What a feature is.
@@ -154,6 +154,40 @@ pub struct Feature {
     pub geometry: Geometry,
     /// Properties, in order.
     pub properties: Vec<(String, Property)>,
+}
+
+impl Feature {
+    /// A property by its name.
+    ///
+    /// ```
+    /// use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
+    ///
+    /// let properties = vec![("pressure".into(), Property::Number(0.8))];
+    /// let inlet =
+    ///     Feature { id: "1".into(), kind: FeatureKind::Sinkhole, geometry: Geometry::Point([0.0; 3]), properties };
+    /// assert_eq!(inlet.property("pressure"), Some(&Property::Number(0.8)));
+    /// assert_eq!(inlet.property("depth"), None);
+    /// ```
+    pub fn property(&self, name: &str) -> Option<&Property> {
+        self.properties.iter().find(|p| p.0 == name).map(|p| &p.1)
+    }
+
+    /// A property that has a number for each place of a line.
+    ///
+    /// ```
+    /// use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
+    ///
+    /// let properties = vec![("left_m".into(), Property::Numbers(vec![1.0, 1.5]))];
+    /// let geometry = Geometry::Line(vec![[0.0; 3], [9.0, 0.0, 0.0]]);
+    /// let conduit = Feature { id: "1".into(), kind: FeatureKind::Conduit, geometry, properties };
+    /// assert_eq!(conduit.numbers("left_m"), Some([1.0, 1.5].as_slice()));
+    /// ```
+    pub fn numbers(&self, name: &str) -> Option<&[f64]> {
+        match self.property(name) {
+            Some(Property::Numbers(values)) => Some(values),
+            _ => None,
+        }
+    }
 }
 
 /// The features of a landscape.

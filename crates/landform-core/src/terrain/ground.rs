@@ -11,6 +11,23 @@ pub struct Bounds {
     pub high: [f64; 3],
 }
 
+impl Bounds {
+    /// The box around some places, m; around none it is empty, with infinite sides.
+    ///
+    /// ```
+    /// use landform_core::terrain::Bounds;
+    ///
+    /// let all = Bounds::around(&[[0.0, 5.0, 1.0], [2.0, 3.0, 1.0]]);
+    /// assert_eq!((all.low, all.high), ([0.0, 3.0, 1.0], [2.0, 5.0, 1.0]));
+    /// ```
+    pub fn around(places: &[[f64; 3]]) -> Self {
+        let fold = |f: fn(f64, f64) -> f64, start: f64| {
+            places.iter().fold([start; 3], |b, p| [f(b[0], p[0]), f(b[1], p[1]), f(b[2], p[2])])
+        };
+        Self { low: fold(f64::min, f64::INFINITY), high: fold(f64::max, f64::NEG_INFINITY) }
+    }
+}
+
 /// A terrain whose surface can be asked for.
 pub trait Ground: Terrain {
     /// The box around the surface.

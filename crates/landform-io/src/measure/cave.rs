@@ -1,12 +1,11 @@
 //! The form of a cave, and what its water found on the way.
 
-use landform_core::Error;
-use landform_core::Result;
 use landform_core::analysis::cave::{Morphometry, morphometry};
-use landform_core::feature::{FeatureKind, Features, Property};
+use landform_core::feature::{Feature, FeatureKind, Features, Property};
 use landform_core::terrain::VoxelGrid;
 use landform_core::units::Length;
 use landform_core::verb::{Landscape, Measure, Params, Source, check_path};
+use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -133,13 +132,12 @@ pub(crate) fn no_cave() -> Error {
 }
 
 fn inlets(features: &Features) -> Vec<InletMeasured> {
-    let of = |f: &landform_core::feature::Feature| {
-        let find = |name: &str| f.properties.iter().find(|p| p.0 == name).map(|p| &p.1);
-        let text = |name: &str| match find(name) {
+    let of = |f: &Feature| {
+        let text = |name: &str| match f.property(name) {
             Some(Property::Text(v)) => Some(v.clone()),
             _ => None,
         };
-        let number = match find("breakthrough_iteration") {
+        let number = match f.property("breakthrough_iteration") {
             Some(Property::Number(v)) => Some(*v),
             _ => None,
         };

@@ -14,6 +14,7 @@ use landform_core::{math, parallel};
 
 use super::Picture;
 use super::colour::{Rgb, blend, hex, mix, scale, to_srgb};
+use super::vector::{Vector, along, cross, dot, normalize};
 
 /// How a block is looked at.
 #[derive(Clone, Copy, Debug)]
@@ -28,21 +29,6 @@ pub(crate) struct CutawayView {
     pub(crate) sun: [f64; 2],
     /// Factor on the size of the block in the picture.
     pub(crate) zoom: f64,
-}
-
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn along(from: Vector, way: Vector, t: f64) -> Vector {
-    [0, 1, 2].map(|k| from[k] + t * way[k])
-}
-
-fn unit(v: Vector) -> Vector {
-    let length = dot(v, v).sqrt();
-    if length > 0.0 { v.map(|x| x / length) } else { v }
 }
 
 /// Smooth values of the cave in a box.
@@ -127,7 +113,7 @@ impl Body {
             b[k] += 0.6 * self.side[k];
             (self.at(a) - self.at(b)) / self.side[k]
         };
-        unit([slope(0), slope(1), slope(2)])
+        normalize([slope(0), slope(1), slope(2)])
     }
 
     /// Where a ray first meets a passage, between two distances.
@@ -314,12 +300,9 @@ pub(crate) fn cutaway(ground: &VoxelGrid, view: &CutawayView) -> (Picture, f64) 
         slabs.push([from, to]);
     }
     let scene = Scene { ground, body, slabs, sun, rule: rule(side) };
-    let right = unit([towards[1], -towards[0], 0.0].map(|v| -v));
-    let up = [
-        right[1] * -towards[2] - right[2] * -towards[1],
-        right[2] * -towards[0] - right[0] * -towards[2],
-        right[0] * -towards[1] - right[1] * -towards[0],
-    ];
+    let right = normalize([towards[1], -towards[0], 0.0].map(|v| -v));
+    let ahead = towards.map(|v| -v);
+    let up = cross(right, ahead);
     let middle = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
     // All corners are in the frame.
     let corners =
@@ -337,7 +320,7 @@ pub(crate) fn cutaway(ground: &VoxelGrid, view: &CutawayView) -> (Picture, f64) 
             let x = ((i % cols) as f64 + a - 0.5 * cols as f64) * pixel;
             let y = (0.48 * rows as f64 - (i / cols) as f64 - b) * pixel;
             let from = along(along(along(middle, towards, far), right, x), up, y);
-            let colour = scene.colour(from, towards.map(|v| -v));
+            let colour = scene.colour(from, ahead);
             sum = [0, 1, 2].map(|k| sum[k] + 0.25 * colour[k]);
         }
         to_srgb(sum)

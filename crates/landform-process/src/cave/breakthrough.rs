@@ -1,6 +1,9 @@
 //! When an open passage first leads from an inlet to an outlet, and whose passage it joins.
 
+use landform_core::algo::DisjointSets;
 use landform_core::algo::lattice::Lattice;
+
+use super::Ends;
 
 /// A breakthrough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,48 +19,33 @@ pub(super) struct Breakthrough {
 /// Open voxels that hang together, and the ends that they touch.
 pub(super) struct Watch<'a> {
     lattice: &'a Lattice,
-    parent: Vec<u32>,
+    ends: &'a Ends,
+    hanging: DisjointSets,
     is_open: Vec<bool>,
-    inlets: Vec<Vec<usize>>,
-    outlets: Vec<Vec<usize>>,
     /// The inlet, from 1, on whose way to the outlet a voxel lies.
     way: Vec<u8>,
     pub(super) found: Vec<Option<Breakthrough>>,
 }
 
 impl<'a> Watch<'a> {
-    pub(super) fn new(lattice: &'a Lattice, inlets: Vec<Vec<usize>>, outlets: Vec<Vec<usize>>) -> Self {
+    pub(super) fn new(lattice: &'a Lattice, ends: &'a Ends) -> Self {
         let n = lattice.stored();
-        let found = vec![None; inlets.len()];
-        let (parent, is_open, way) = ((0..n as u32).collect(), vec![false; n], vec![0; n]);
-        Self { lattice, parent, is_open, inlets, outlets, way, found }
-    }
-
-    fn root(&mut self, i: usize) -> usize {
-        let mut i = i as u32;
-        while self.parent[i as usize] != i {
-            self.parent[i as usize] = self.parent[self.parent[i as usize] as usize];
-            i = self.parent[i as usize];
-        }
-        i as usize
+        let (is_open, way, found) = (vec![false; n], vec![0; n], vec![None; ends.inlets.len()]);
+        Self { lattice, ends, hanging: DisjointSets::new(n), is_open, way, found }
     }
 
     /// Opens voxels and looks for breakthroughs.
     pub(super) fn open(&mut self, iteration: u32, opened: &[usize], pressure: &[u32]) {
         for &i in opened {
             self.is_open[i] = true;
-            for k in 0..landform_core::algo::lattice::NEIGHBOURS {
-                let beside = self.lattice.neighbour(i, k);
-                if self.is_open[beside] {
-                    let (a, b) = (self.root(i), self.root(beside));
-                    self.parent[a.max(b)] = a.min(b) as u32;
-                }
+            for beside in self.lattice.neighbours(i).filter(|&beside| self.is_open[beside]) {
+                self.hanging.join(i as u32, beside as u32);
             }
         }
         if opened.is_empty() {
             return;
         }
-        for inlet in 0..self.inlets.len() {
+        for inlet in 0..self.found.len() {
             if self.found[inlet].is_none()
                 && let Some((from, outlet)) = self.reached(inlet)
             {
@@ -69,15 +57,12 @@ impl<'a> Watch<'a> {
 
     /// An open voxel of an inlet that hangs together with one of an outlet.
     fn reached(&mut self, inlet: usize) -> Option<(usize, usize)> {
-        for from in self.inlets[inlet].clone().into_iter().filter(|&i| self.is_open[i]).collect::<Vec<_>>() {
-            let root = self.root(from);
-            for outlet in 0..self.outlets.len() {
-                for k in 0..self.outlets[outlet].len() {
-                    let to = self.outlets[outlet][k];
-                    if self.is_open[to] && self.root(to) == root {
-                        return Some((from, outlet));
-                    }
-                }
+        let ends = self.ends;
+        for &from in ends.inlets[inlet].0.iter().filter(|&&i| self.is_open[i]) {
+            let root = self.hanging.root(from as u32);
+            let mut leads_to = |to: &usize| self.is_open[*to] && self.hanging.root(*to as u32) == root;
+            if let Some(outlet) = ends.outlets.iter().position(|voxels| voxels.iter().any(&mut leads_to)) {
+                return Some((from, outlet));
             }
         }
         None

@@ -68,7 +68,6 @@ pub(super) struct Growth<'a> {
     slopes: Vec<f32>,
     /// Permeability in 1/64.
     weights: Vec<u16>,
-    is_outlet: Vec<bool>,
     /// Voxels with water, each once.
     wet: Vec<u32>,
     is_wet: Vec<bool>,
@@ -99,8 +98,10 @@ impl<'a> Growth<'a> {
         let mut weights = vec![0; n];
         let mut is_outlet = vec![false; n];
         outlets.iter().for_each(|&i| is_outlet[i] = true);
+        let mut channels = Vec::new();
         for i in lattice.voxels() {
             let is_channel = channel[i] || rock.porosity[i] > law.open || is_outlet[i];
+            channels.extend(is_channel.then_some(i));
             slopes[i] = if is_channel { in_channel } else { (in_rock / rock.permeability[i]).max(in_channel) };
             weights[i] = (64.0 * rock.permeability[i]).clamp(1.0, 65_535.0) as u16;
         }
@@ -115,7 +116,6 @@ impl<'a> Growth<'a> {
             outlets,
             slopes,
             weights,
-            is_outlet,
             wet: Vec::new(),
             is_wet: vec![false; n],
             coming: vec![0; n],
@@ -127,12 +127,7 @@ impl<'a> Growth<'a> {
             beside: Vec::new(),
         };
         growth.outlets.iter().for_each(|&i| growth.pressure[i] = 0);
-        let channels: Vec<usize> = lattice
-            .voxels()
-            .filter(|&i| channel[i] || growth.rock.porosity[i] > law.open || growth.is_outlet[i])
-            .collect();
-        let all: Vec<usize> = if channels.is_empty() { growth.outlets.clone() } else { channels };
-        lower(lattice, &mut growth.pressure, &growth.slopes, &all);
+        lower(lattice, &mut growth.pressure, &growth.slopes, &channels);
         growth
     }
 

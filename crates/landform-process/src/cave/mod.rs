@@ -41,7 +41,6 @@ use serde::{Deserialize, Serialize};
 use breakthrough::{Breakthrough, Watch};
 use growth::{Growth, Law, ONE, Rock};
 pub use places::{InletParams, OutletParams};
-use places::{lattice_of, middle};
 use protochannels::{CONTESTED, Wanted, protochannels, zones};
 
 landform_core::stages! {
@@ -205,7 +204,7 @@ fn rock_of(ground: &VoxelGrid, lattice: &Lattice) -> Rock {
 
 impl Edit<VoxelGrid> for Cave {
     fn edit(&self, terrain: &mut VoxelGrid, context: &Context) -> Result<()> {
-        let lattice = lattice_of(terrain);
+        let lattice = Lattice::over(terrain);
         let (rock, ends) = (rock_of(terrain, &lattice), self.ends(terrain, &lattice)?);
         let highest = ends.inlets.iter().map(|i| i.1).fold(0.0, f64::max);
         let unit = f64::from(ONE) / highest;
@@ -223,10 +222,9 @@ impl Edit<VoxelGrid> for Cave {
         };
         let pressure = zone.iter().map(|z| of_zone(*z)).collect();
         let law = self.law(unit);
-        let inlets: Vec<Vec<usize>> = ends.inlets.iter().map(|i| i.0.clone()).collect();
-        let both = [inlets.concat(), all_outlets];
-        let mut growth = Growth::new(&lattice, rock, law, pressure, &channel, both);
-        let mut watch = Watch::new(&lattice, inlets.clone(), ends.outlets.clone());
+        let all_inlets = ends.inlets.iter().flat_map(|i| &i.0).copied().collect();
+        let mut growth = Growth::new(&lattice, rock, law, pressure, &channel, [all_inlets, all_outlets]);
+        let mut watch = Watch::new(&lattice, &ends);
         let open: Vec<usize> = lattice.voxels().filter(|&i| growth.rock.porosity[i] > law.open).collect();
         watch.open(0, &open, &growth.pressure);
         for iteration in 1..=self.iterations {
@@ -258,7 +256,7 @@ impl Edit<VoxelGrid> for Cave {
 /// Inlets and outlets as features; inlets say when they broke through.
 fn marks(ground: &VoxelGrid, lattice: &Lattice, ends: &Ends, found: &[Option<Breakthrough>]) -> Vec<Feature> {
     let place = |voxels: &[usize]| {
-        let sum = voxels.iter().map(|&i| middle(ground, lattice, i));
+        let sum = voxels.iter().map(|&i| lattice.middle(ground, i));
         let sum = sum.fold([0.0; 3], |a, m| [0, 1, 2].map(|k| a[k] + m[k]));
         Geometry::Point(sum.map(|v| v / voxels.len().max(1) as f64))
     };
@@ -317,8 +315,11 @@ mod tests {
         let mut channel = vec![false; lattice.stored()];
         let rows = [10, 22, 34];
         rows.iter().for_each(|&y| (10..=60).for_each(|x| channel[lattice.at([x, y, 0])] = true));
-        let inlets: Vec<Vec<usize>> = rows.iter().map(|&y| vec![lattice.at([60, y, 0])]).collect();
-        let outlet = vec![lattice.at([4, 10, 0])];
+        let inlet = |y: &usize| vec![lattice.at([60, *y, 0])];
+        let ends = Ends {
+            inlets: rows.iter().map(|y| (inlet(y), 1.0)).collect(),
+            outlets: vec![vec![lattice.at([4, 10, 0])]],
+        };
         let law = Law {
             rates: [0.05, 0.001].map(|r| (r * f64::from(ONE)) as f32),
             open: ONE / 2,
@@ -327,9 +328,9 @@ mod tests {
             exponent: 1.0,
         };
         let pressure = lattice.padded(std::iter::repeat_n(ONE, n), 0);
-        let both = [inlets.concat(), outlet.clone()];
+        let both = [rows.iter().flat_map(inlet).collect(), ends.outlets.concat()];
         let mut growth = Growth::new(&lattice, rock, law, pressure, &channel, both);
-        let mut watch = Watch::new(&lattice, inlets, vec![outlet]);
+        let mut watch = Watch::new(&lattice, &ends);
         for iteration in 1..=600 {
             let opened = growth.step();
             watch.open(iteration, &opened, &growth.pressure);

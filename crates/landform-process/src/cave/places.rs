@@ -2,7 +2,7 @@
 
 use landform_core::algo::lattice::Lattice;
 use landform_core::grid::Side;
-use landform_core::terrain::VoxelGrid;
+use landform_core::terrain::{Bounds, Ground, VoxelGrid};
 use landform_core::units::Length;
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
@@ -62,22 +62,10 @@ pub struct OutletParams {
     pub along: Option<[f64; 2]>,
 }
 
-/// Voxels of the ground in a lattice: columns along x, rows from the north along y.
-pub(super) fn lattice_of(ground: &VoxelGrid) -> Lattice {
-    let (shape, [dx, dy]) = (ground.plan().shape, ground.plan().spacing);
-    Lattice::new([shape.cols, shape.rows, ground.levels()], [dx, dy, ground.height()])
-}
-
-/// The middle of a stored voxel, m.
-pub(super) fn middle(ground: &VoxelGrid, lattice: &Lattice, i: usize) -> [f64; 3] {
-    let [x, y, z] = lattice.place(i);
-    ground.middle(z, ground.plan().shape.index(y, x))
-}
-
 fn near(ground: &VoxelGrid, lattice: &Lattice, at: [Length; 3], radius: Option<Length>) -> Vec<usize> {
     let at = at.map(Length::si);
     let square = |i: usize| {
-        let m = middle(ground, lattice, i);
+        let m = lattice.middle(ground, i);
         (0..3).map(|k| (m[k] - at[k]) * (m[k] - at[k])).sum::<f64>()
     };
     let within = radius.map_or(0.0, |r| r.si() * r.si());
@@ -90,18 +78,13 @@ fn near(ground: &VoxelGrid, lattice: &Lattice, at: [Length; 3], radius: Option<L
 }
 
 fn check_inside(ground: &VoxelGrid, name: &str, at: [Length; 3]) -> Result<()> {
-    let (low, high) = bounds(ground);
+    let Bounds { low, high } = ground.bounding_box();
     let at = at.map(Length::si);
     if (0..3).all(|k| low[k] <= at[k] && at[k] <= high[k]) {
         return Ok(());
     }
     let expected = format!("a place in the rock, which lies between {low:?} and {high:?} m");
     Err(Error::parameter(name, format!("{at:?} m"), &expected))
-}
-
-fn bounds(ground: &VoxelGrid) -> ([f64; 3], [f64; 3]) {
-    let bounds = landform_core::terrain::Ground::bounding_box(ground);
-    (bounds.low, bounds.high)
 }
 
 impl InletParams {
@@ -115,7 +98,7 @@ impl InletParams {
 impl OutletParams {
     /// Its voxels.
     pub(super) fn voxels(&self, ground: &VoxelGrid, lattice: &Lattice) -> Result<Vec<usize>> {
-        let (low, high) = bounds(ground);
+        let Bounds { low, high } = ground.bounding_box();
         let mut voxels = match (self.side, self.at) {
             (None, Some(at)) => {
                 check_inside(ground, "outlets.at", at)?;
@@ -135,7 +118,7 @@ impl OutletParams {
         };
         let axis = usize::from(matches!(self.side, Some(Side::West | Side::East)));
         voxels.retain(|&i| {
-            let m = middle(ground, lattice, i);
+            let m = lattice.middle(ground, i);
             let along = (m[axis] - low[axis]) / (high[axis] - low[axis]);
             self.below.is_none_or(|z| m[2] < z.si())
                 && self.above.is_none_or(|z| m[2] > z.si())

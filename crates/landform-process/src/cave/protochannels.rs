@@ -8,7 +8,7 @@
 
 use std::collections::VecDeque;
 
-use landform_core::algo::lattice::{Lattice, MaxFlow, NEIGHBOURS, lower};
+use landform_core::algo::lattice::{FACES, Lattice, MaxFlow, NEIGHBOURS, lower};
 use landform_core::random::Seed;
 
 use super::growth::Rock;
@@ -95,8 +95,7 @@ fn capacities(lattice: &Lattice, rock: &Rock, sources: &[usize], sinks: &[usize]
 
 /// Voxels of a zone beside another zone or at the side of the box, its inlet excepted.
 fn border(lattice: &Lattice, zones: &[u8], number: u8, inlet: &[usize]) -> Vec<usize> {
-    let faces = [4, 10, 12, 13, 15, 21];
-    let is_border = |i: usize| faces.iter().any(|&k| zones[lattice.neighbour(i, k)] != number);
+    let is_border = |i: usize| FACES.iter().any(|&k| zones[lattice.neighbour(i, k)] != number);
     lattice.voxels().filter(|&i| zones[i] == number && is_border(i) && !inlet.contains(&i)).collect()
 }
 

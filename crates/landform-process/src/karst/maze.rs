@@ -1,5 +1,6 @@
 //! Mazes: nets of passages that fill a zone around the way from sinkholes to springs.
 
+use landform_core::algo::DisjointSets;
 use landform_core::{Result, math};
 
 use super::keys::Keys;
@@ -141,33 +142,15 @@ fn hold_together(mut ways: Vec<Way>, count: usize, share: f64, rock: &Rock<'_>, 
         way.0 = if is_of_key { -1.0 } else { seed.uniform(k as u64) };
     }
     ways.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let mut parent: Vec<u32> = (0..count as u32).collect();
-    fn root(parent: &mut [u32], mut n: u32) -> u32 {
-        while parent[n as usize] != n {
-            parent[n as usize] = parent[parent[n as usize] as usize];
-            n = parent[n as usize];
-        }
-        n
-    }
+    let mut sets = DisjointSets::new(count);
     let mut kept = Vec::new();
     for (k, (_, a, b)) in ways.into_iter().enumerate() {
-        let (x, y) = (root(&mut parent, a), root(&mut parent, b));
-        if x != y {
-            parent[x.max(y) as usize] = x.min(y);
-            kept.push([a, b]);
-        } else if seed.with(1).uniform(k as u64) < share {
+        if sets.join(a, b) || seed.with(1).uniform(k as u64) < share {
             kept.push([a, b]);
         }
     }
-    let first = root(&mut parent, 0);
-    for key in 1..keys as u32 {
-        let own = root(&mut parent, key);
-        if own != root(&mut parent, first) {
-            parent[own as usize] = root(&mut parent, first);
-            kept.push([0, key]);
-        }
-    }
-    let first = root(&mut parent, 0);
-    kept.retain(|e| root(&mut parent, e[0]) == first);
+    kept.extend((1..keys as u32).filter(|&key| sets.join(0, key)).map(|key| [0, key]));
+    let first = sets.root(0);
+    kept.retain(|e| sets.root(e[0]) == first);
     kept
 }

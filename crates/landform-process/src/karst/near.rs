@@ -1,5 +1,7 @@
 //! Places by cubic cells, to find those near a place.
 
+use landform_core::terrain::Bounds;
+
 use super::space::{Vector, distance};
 
 pub(super) struct Near<'a> {
@@ -14,10 +16,7 @@ pub(super) struct Near<'a> {
 impl<'a> Near<'a> {
     /// Cells of about `reach` m.
     pub(super) fn new(places: &'a [Vector], reach: f64) -> Self {
-        let fold = |f: fn(f64, f64) -> f64, start: f64| {
-            places.iter().fold([start; 3], |b, p| [f(b[0], p[0]), f(b[1], p[1]), f(b[2], p[2])])
-        };
-        let (low, high) = (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY));
+        let Bounds { low, high } = Bounds::around(places);
         let low = if places.is_empty() { [0.0; 3] } else { low };
         let side = |k: usize| (high[k] - low[k]).max(0.0);
         let cell = reach.max(side(0).max(side(1)).max(side(2)) / 256.0).max(1e-9);

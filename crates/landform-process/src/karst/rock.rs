@@ -8,6 +8,7 @@ use landform_core::{Error, Result, math};
 
 use super::KarstNetwork;
 use super::space::{Vector, distance, dot, minus, plus, unit};
+use crate::mechanism::plane_normal;
 
 /// The rock under a surface.
 pub(super) struct Rock<'a> {
@@ -42,11 +43,6 @@ struct Family {
     weight: f64,
 }
 
-fn normal(dip_direction: f64, dip: f64) -> Vector {
-    let across = math::sin(dip);
-    [across * math::sin(dip_direction), across * math::cos(dip_direction), math::cos(dip)]
-}
-
 impl<'a> Rock<'a> {
     /// # Errors
     /// [`Error::Parameter`] for a spring off the map or on nodata.
@@ -63,7 +59,7 @@ impl<'a> Rock<'a> {
         let middle = [0, 1].map(|k| 0.5 * (bounds[0][k] + bounds[1][k]));
         let bed = |b: &super::Bed| Plane {
             at: [middle[0], middle[1], b.elevation.si()],
-            normal: normal(b.dip_direction.si(), b.dip.si()),
+            normal: plane_normal(b.dip.si(), b.dip_direction.si()),
             weight: b.weight,
         };
         let family = |f: &super::Fracture| Family {
@@ -161,7 +157,7 @@ impl<'a> Rock<'a> {
     fn fracture(&self, k: usize, at: Vector) -> Vector {
         let family = &self.fractures[k];
         let turn = Self::noise(self.seed.with(40 + k as u64), at, 3.0 * self.bend).clamp(-1.0, 1.0);
-        normal(family.dip_direction + turn * family.tolerance, family.dip)
+        plane_normal(family.dip, family.dip_direction + turn * family.tolerance)
     }
 
     /// Turns a direction towards the nearest family of fractures and bed.

@@ -7,12 +7,14 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
+use landform_core::algo::DisjointSets;
+use landform_core::terrain::Bounds;
 use landform_core::{Error, Result, math, parallel};
 
 use super::keys::Keys;
 use super::near::Near;
 use super::rock::Rock;
-use super::space::{Skeleton, Vector, between};
+use super::space::{Skeleton, Vector, between, distance};
 
 /// Power of the cost where none is given.
 const GAMMA: f64 = 2.0;
@@ -82,14 +84,13 @@ pub(super) fn shortest(
 /// wanted.
 fn with_loops(mut pairs: Vec<(f64, usize, usize)>, count: usize, loops: usize) -> Vec<(f64, usize, usize)> {
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let mut part: Vec<usize> = (0..count).collect();
+    let mut sets = DisjointSets::new(count);
     let mut left = loops;
     pairs.retain(|&(_, i, j)| {
-        let (a, b) = (part[i], part[j]);
-        part.iter_mut().filter(|p| **p == b).for_each(|p| *p = a);
-        let is_loop = a == b && left > 0;
+        let were_apart = sets.join(i as u32, j as u32);
+        let is_loop = !were_apart && left > 0;
         left -= usize::from(is_loop);
-        a != b || is_loop
+        were_apart || is_loop
     });
     pairs
 }
@@ -97,10 +98,9 @@ fn with_loops(mut pairs: Vec<(f64, usize, usize)>, count: usize, loops: usize) -
 /// Random places around the water table, one a cell.
 fn scatter(places: &mut Vec<Vector>, rock: &Rock<'_>) -> Result<()> {
     let cell = [2.5 * rock.step, 2.5 * rock.step, 1.25 * rock.step];
-    let fold = |f: fn(f64, f64) -> f64, start: f64| places.iter().map(|p| p[2]).fold(start, f);
-    let (low, high) = (fold(f64::min, f64::INFINITY) - cell[2], fold(f64::max, f64::NEG_INFINITY) + cell[2]);
-    let from = [rock.bounds[0][0], rock.bounds[0][1], low];
-    let to = [rock.bounds[1][0], rock.bounds[1][1], high];
+    let Bounds { low, high } = Bounds::around(places);
+    let from = [rock.bounds[0][0], rock.bounds[0][1], low[2] - cell[2]];
+    let to = [rock.bounds[1][0], rock.bounds[1][1], high[2] + cell[2]];
     let counts = [0, 1, 2].map(|k| ((to[k] - from[k]) / cell[k]).ceil().max(1.0));
     let all: f64 = counts.iter().product();
     if all > MOST_PLACES {
@@ -150,7 +150,7 @@ impl Ways {
         // A place without others around it is joined to the nearest of all.
         for i in 0..places.len() {
             if ways[i].is_empty() {
-                let far = |j: &usize| super::space::distance(places[*j], places[i]);
+                let far = |j: &usize| distance(places[*j], places[i]);
                 let others = (0..places.len()).filter(|j| *j != i);
                 if let Some(j) = others.min_by(|a, b| far(a).total_cmp(&far(b))) {
                     let cost = rock.cost(places[i.min(j)], places[i.max(j)]);

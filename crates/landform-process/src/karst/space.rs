@@ -1,5 +1,8 @@
 //! Vectors in space.
 
+use landform_core::feature::adjacency;
+pub(super) use landform_core::math::distance;
+
 /// A place or a direction.
 pub(super) type Vector = [f64; 3];
 
@@ -17,10 +20,6 @@ pub(super) fn dot(a: Vector, b: Vector) -> f64 {
 
 pub(super) fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
-}
-
-pub(super) fn distance(a: Vector, b: Vector) -> f64 {
-    length(minus(a, b))
 }
 
 /// The direction of a vector; the vector itself where it has none.
@@ -66,11 +65,6 @@ impl Skeleton {
     }
 
     pub(super) fn joined(&self) -> Vec<Vec<u32>> {
-        let mut joined = vec![Vec::new(); self.nodes.len()];
-        for &[a, b] in &self.edges {
-            joined[a as usize].push(b);
-            joined[b as usize].push(a);
-        }
-        joined
+        adjacency(self.nodes.len(), &self.edges)
     }
 }

@@ -47,38 +47,6 @@ fn all_ways() -> Vec<KarstNetwork> {
 }
 
 #[test]
-#[ignore = "prints what the presets measure"]
-fn report() {
-    for params in all_ways() {
-        let start = std::time::Instant::now();
-        let seeds = 20;
-        let all: Vec<NetworkStatistics> = (0..seeds).map(|s| statistics(&grown(&params, s))).collect();
-        let took = start.elapsed().as_secs_f64() / seeds as f64;
-        let passed = all.iter().filter(|s| s.in_range == 8).count();
-        println!("{:?} {:?}: {took:.3} s; {passed} of {seeds} pass all 8", params.preset, params.method);
-        for k in 0..8 {
-            let mut v: Vec<f64> = all.iter().map(|s| s.natural_ranges[k].value).collect();
-            v.sort_by(f64::total_cmp);
-            let inside = all.iter().filter(|s| s.natural_ranges[k].in_range).count();
-            let r = &all[0].natural_ranges[k];
-            println!(
-                "   {:25} {inside:3}  {:.3} {:.3} {:.3}  {:?}",
-                r.measure,
-                v[0],
-                v[v.len() / 2],
-                v[v.len() - 1],
-                r.natural
-            );
-        }
-        let s = &all[0];
-        println!(
-            "   complexity {:.3} cycles {} vertices {} nodes {} length {:.0} parts {}",
-            s.complexity, s.cycles, s.vertices, s.nodes, s.length, s.parts
-        );
-    }
-}
-
-#[test]
 fn every_sinkhole_reaches_the_spring_and_no_passage_leaves_the_rock() {
     let ground = plateau();
     for params in all_ways() {

@@ -3,6 +3,7 @@
 mod drainage;
 mod grid;
 mod lattice;
+mod plane;
 mod radius;
 pub mod water;
 pub mod wind;
@@ -10,4 +11,5 @@ pub mod wind;
 pub use drainage::{write_channel_steepness_fields, write_drainage_fields};
 pub use grid::GridParams;
 pub use lattice::Lattice;
+pub(crate) use plane::plane_normal;
 pub use radius::within_map;

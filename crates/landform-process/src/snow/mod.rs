@@ -327,17 +327,18 @@ fn slide(grid: &Grid, ground: &[f64], depth: &mut [f64], holds: f64) {
     let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i]).collect();
     parallel::sort_by(&mut order, |&a, &b| surface[b as usize].total_cmp(&surface[a as usize]).then(a.cmp(&b)));
     let shape = grid.shape;
+    let around = [(-1i64, -1i64), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)]
+        .map(|(r, c)| (r, c, math::hypot(c as f64 * grid.spacing[0], r as f64 * grid.spacing[1])));
     for i in order.into_iter().map(|i| i as usize) {
         let cell = shape.cell(i);
         let mut lower = [(0usize, 0.0f64); 8];
         let (mut count, mut total, mut steepest) = (0, 0.0, 0.0f64);
-        for (r, c) in [(-1i64, -1i64), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)] {
+        for (r, c, distance) in around {
             let (rr, cc) = (cell.row as i64 + r, cell.col as i64 + c);
             if rr < 0 || cc < 0 || rr >= shape.rows as i64 || cc >= shape.cols as i64 {
                 continue;
             }
             let j = shape.index(rr as usize, cc as usize);
-            let distance = math::hypot(c as f64 * grid.spacing[0], r as f64 * grid.spacing[1]);
             let slope = (ground[i] + depth[i] - ground[j] - depth[j]) / distance;
             if slope > 0.0 {
                 lower[count] = (j, slope);

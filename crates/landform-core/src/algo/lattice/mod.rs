@@ -24,12 +24,24 @@ pub use paths::lower;
 pub use thinning::{Thinning, thin};
 pub use topology::{Topology, components, topology};
 
+use crate::terrain::VoxelGrid;
+
 /// Neighbours of a voxel.
 ///
 /// ```
 /// assert_eq!(landform_core::algo::lattice::NEIGHBOURS, 26);
 /// ```
 pub const NEIGHBOURS: usize = 26;
+
+/// Numbers of the neighbours over faces: down and up, then back and on along y and along x.
+///
+/// ```
+/// use landform_core::algo::lattice::{FACES, Lattice};
+///
+/// let cube = Lattice::new([3, 3, 3], [1.0; 3]);
+/// assert_eq!(cube.neighbour(cube.at([1, 1, 1]), FACES[1]), cube.at([1, 1, 2]));
+/// ```
+pub const FACES: [usize; 6] = [4, 21, 10, 15, 12, 13];
 
 /// A box of voxels, stored with a border of one voxel.
 ///
@@ -72,6 +84,43 @@ impl Lattice {
         let lengths =
             steps.map(|s| (0..3).map(|k| f64::from(s[k]) * f64::from(s[k]) * sides[k] * sides[k]).sum::<f64>().sqrt());
         Self { size, sides, offsets, steps, lengths }
+    }
+
+    /// The box of the voxels of some ground: columns along x, rows from the north along y, levels
+    /// along z. Its voxels are in the order of the ground's.
+    ///
+    /// ```
+    /// use landform_core::algo::lattice::Lattice;
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{Materials, VoxelGrid};
+    ///
+    /// let plan = Grid::new(Shape::new(2, 3), [5.0, 5.0])?;
+    /// let ground = VoxelGrid::from_fn(plan, 4, 0.0, 1.0, &Materials::default(), |_, _| Some(0))?;
+    /// let lattice = Lattice::over(&ground);
+    /// assert_eq!((lattice.size(), lattice.sides()), ([3, 2, 4], [5.0, 5.0, 1.0]));
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn over(ground: &VoxelGrid) -> Self {
+        let (shape, [dx, dy]) = (ground.plan().shape, ground.plan().spacing);
+        Self::new([shape.cols, shape.rows, ground.levels()], [dx, dy, ground.height()])
+    }
+
+    /// The middle of a voxel of the ground that the box was made of, m.
+    ///
+    /// ```
+    /// use landform_core::algo::lattice::Lattice;
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{Materials, VoxelGrid};
+    ///
+    /// let plan = Grid::new(Shape::new(2, 3), [5.0, 5.0])?;
+    /// let ground = VoxelGrid::from_fn(plan, 4, 0.0, 1.0, &Materials::default(), |_, _| Some(0))?;
+    /// let lattice = Lattice::over(&ground);
+    /// assert_eq!(lattice.middle(&ground, lattice.at([1, 0, 0])), [5.0, 5.0, 0.5]);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn middle(&self, ground: &VoxelGrid, i: usize) -> [f64; 3] {
+        let [x, y, z] = self.place(i);
+        ground.middle(z, ground.plan().shape.index(y, x))
     }
 
     /// Voxels along each axis.

@@ -7,6 +7,7 @@
 use super::cave_voxels;
 use crate::algo::lattice::{Lattice, NEIGHBOURS, Thinning, thin};
 use crate::feature::{ConduitNetwork, Passage};
+use crate::math::distance;
 use crate::terrain::VoxelGrid;
 
 /// Stations of a cave, the legs between them, and the walls around each.
@@ -34,12 +35,7 @@ impl Centreline {
     /// assert_eq!(landform_core::analysis::cave::Centreline::default().length(), 0.0);
     /// ```
     pub fn length(&self) -> f64 {
-        let place = |s: u32| self.stations[s as usize];
-        let leg = |l: &[u32; 2]| {
-            let (a, b) = (place(l[0]), place(l[1]));
-            (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>().sqrt()
-        };
-        self.legs.iter().map(leg).sum()
+        self.legs.iter().map(|l| l.map(|s| self.stations[s as usize])).map(|[a, b]| distance(a, b)).sum()
     }
 
     /// The same as a network of conduits.
@@ -74,8 +70,13 @@ impl Centreline {
 /// ```
 pub fn centreline(ground: &VoxelGrid) -> Centreline {
     let (lattice, cave) = cave_voxels(ground);
-    let mut line = cave.clone();
-    thin(&lattice, &mut line, Thinning::Line);
+    line_of(ground, &lattice, &cave)
+}
+
+/// The line along passages that are known.
+pub(super) fn line_of(ground: &VoxelGrid, lattice: &Lattice, cave: &[bool]) -> Centreline {
+    let mut line = cave.to_vec();
+    thin(lattice, &mut line, Thinning::Line);
     let mut number = vec![u32::MAX; lattice.stored()];
     let stations: Vec<usize> = lattice.voxels().filter(|&i| line[i]).collect();
     stations.iter().zip(0..).for_each(|(&i, n)| number[i] = n);
@@ -83,17 +84,13 @@ pub fn centreline(ground: &VoxelGrid) -> Centreline {
     for &i in &stations {
         // Each pair once, from the one of the higher index.
         for k in (0..NEIGHBOURS / 2).filter(|&k| line[lattice.neighbour(i, k)]) {
-            if is_direct(&lattice, &line, i, k) {
+            if is_direct(lattice, &line, i, k) {
                 legs.push([number[lattice.neighbour(i, k)], number[i]]);
             }
         }
     }
-    let plan = ground.plan();
-    let place = |i: usize| {
-        let [x, y, z] = lattice.place(i);
-        ground.middle(z, plan.shape.index(y, x))
-    };
-    let mut line = Centreline { stations: stations.iter().map(|&i| place(i)).collect(), legs, passages: Vec::new() };
+    let places = stations.iter().map(|&i| lattice.middle(ground, i)).collect();
+    let mut line = Centreline { stations: places, legs, passages: Vec::new() };
     let mut along = vec![[0.0; 2]; stations.len()];
     for [a, b] in &line.legs {
         let (from, to) = (line.stations[*a as usize], line.stations[*b as usize]);
@@ -104,7 +101,7 @@ pub fn centreline(ground: &VoxelGrid) -> Centreline {
             along[s] = [along[s][0] + turn * way[0], along[s][1] + turn * way[1]];
         }
     }
-    line.passages = stations.iter().zip(&along).map(|(&i, along)| walls(&lattice, &cave, i, *along)).collect();
+    line.passages = stations.iter().zip(&along).map(|(&i, along)| walls(lattice, cave, i, *along)).collect();
     line
 }
 

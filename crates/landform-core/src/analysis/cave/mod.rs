@@ -32,8 +32,7 @@ use crate::terrain::VoxelGrid;
 /// ```
 pub fn cave_voxels(ground: &VoxelGrid) -> (Lattice, Vec<bool>) {
     let (plan, levels) = (ground.plan(), ground.levels());
-    let [dx, dy] = plan.spacing;
-    let lattice = Lattice::new([plan.shape.cols, plan.shape.rows, levels], [dx, dy, ground.height()]);
+    let lattice = Lattice::over(ground);
     let is_block = ground.field(VoxelGrid::PERMEABILITY).is_some();
     let roof = |node: usize| (0..levels).rev().find(|&l| ground.material(l, node).is_some()).unwrap_or(0);
     let roofs: Vec<usize> = (0..plan.len()).map(|node| if is_block { levels } else { roof(node) }).collect();

@@ -12,8 +12,9 @@
 
 use serde::Serialize;
 
-use super::{cave_voxels, centreline};
-use crate::algo::lattice::{Lattice, Thinning, thin, topology};
+use super::cave_voxels;
+use super::centreline::line_of;
+use crate::algo::lattice::{FACES, Lattice, Thinning, thin, topology};
 use crate::terrain::VoxelGrid;
 
 /// Numbers over a field around the plan of a cave.
@@ -131,7 +132,7 @@ pub fn morphometry(ground: &VoxelGrid, radius: f64) -> Option<Morphometry> {
     thin(&lattice, &mut sheet, Thinning::Sheet);
     let plan_area = voxels.iter().filter(|&&i| sheet[i]).count() as f64 * dx * dy;
     // A cave of one voxel is as long as it is wide.
-    let length = centreline(ground).length().max(dx.max(dy));
+    let length = line_of(ground, &lattice, &cave).length().max(dx.max(dy));
     let volume = voxels.len() as f64 * dx * dy * dz;
     let levels = voxels.iter().map(|&i| lattice.place(i)[2]);
     let (low, high) = levels.fold((usize::MAX, 0), |(lo, hi), z| (lo.min(z), hi.max(z)));
@@ -167,8 +168,11 @@ pub fn morphometry(ground: &VoxelGrid, radius: f64) -> Option<Morphometry> {
 /// Area of all faces between cave and rock, m².
 fn walls(lattice: &Lattice, cave: &[bool], voxels: &[usize]) -> f64 {
     let [dx, dy, dz] = lattice.sides();
-    let faces = [(4, dx * dy), (21, dx * dy), (10, dx * dz), (15, dx * dz), (12, dy * dz), (13, dy * dz)];
-    let of = |i: usize| faces.iter().filter(|f| !cave[lattice.neighbour(i, f.0)]).map(|f| f.1).sum::<f64>();
+    let areas = [dx * dy, dx * dy, dx * dz, dx * dz, dy * dz, dy * dz];
+    let of = |i: usize| {
+        let open = FACES.into_iter().zip(areas).filter(|f| !cave[lattice.neighbour(i, f.0)]);
+        open.map(|f| f.1).sum::<f64>()
+    };
     voxels.iter().map(|&i| of(i)).sum()
 }
 

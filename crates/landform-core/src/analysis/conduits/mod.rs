@@ -19,7 +19,7 @@ pub use gates::{NaturalRange, Pattern};
 use reduced::Reduced;
 
 use crate::feature::{ConduitNetwork, Passage};
-use crate::math;
+use crate::math::{self, distance};
 
 /// Statistics of a network of passages. Ratios have no unit.
 ///
@@ -168,11 +168,6 @@ impl Branches {
         let tortuosities = pairs.filter(|p| p.0 > 0.0).map(|(chord, length)| length / chord).collect();
         Self { lengths, tortuosities }
     }
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
 }
 
 fn mean(values: &[f64]) -> f64 {

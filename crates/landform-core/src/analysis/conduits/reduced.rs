@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::paths;
+use crate::feature::adjacency;
 
 /// Vertices, and the edges between them.
 pub(super) struct Reduced {
@@ -56,7 +57,7 @@ impl Reduced {
     }
 
     pub(super) fn numbers(&self) -> Numbers {
-        let joined = self.joined();
+        let joined = adjacency(self.vertices, &self.edges);
         let paths = paths::of(&joined);
         let (n, s) = (self.vertices, self.edges.len());
         let cycles = s + paths.parts - n;
@@ -75,15 +76,6 @@ impl Reduced {
             mean_shortest_path: paths.mean,
             central_point_dominance: paths.dominance,
         }
-    }
-
-    fn joined(&self) -> Vec<Vec<u32>> {
-        let mut joined = vec![Vec::new(); self.vertices];
-        for &[a, b] in &self.edges {
-            joined[a as usize].push(b);
-            joined[b as usize].push(a);
-        }
-        joined
     }
 
     /// Pearson's correlation of the degrees at both ends of edges; 1 where all are equal.

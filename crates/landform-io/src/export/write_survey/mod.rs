@@ -3,8 +3,10 @@
 mod survex;
 mod therion;
 
+use std::fmt::Write;
+
 use landform_core::Result;
-use landform_core::feature::{ConduitNetwork, FeatureKind, Features, Geometry, Passage};
+use landform_core::feature::{Conduit, ConduitNetwork, FeatureKind, Features, Geometry, Passage};
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, VoxelGrid};
 use landform_core::verb::{Export, Landscape, Output, Params, Source, check_path};
 use schemars::JsonSchema;
@@ -81,6 +83,17 @@ impl WriteSurvey {
     }
 }
 
+/// Words in which formats differ.
+struct Words {
+    /// Before a command, and before a row of numbers.
+    command: &'static str,
+    row: &'static str,
+    /// What the distances to the walls are called.
+    walls: &'static str,
+    /// An entrance: a station (from 1), and what it is.
+    entrance: fn(u32, &str) -> String,
+}
+
 /// A survey as both formats tell it. Stations are numbered from 1 and lie on whole millimetres, so
 /// that legs add up.
 struct Survey<'a> {
@@ -101,9 +114,7 @@ impl<'a> Survey<'a> {
     fn of(title: &'a str, features: &Features, epsg: Option<u16>) -> Self {
         let network = ConduitNetwork::of(features);
         let legs = network.edges();
-        let along = |c: &landform_core::feature::Conduit| {
-            c.nodes.iter().copied().zip(c.passages.iter().copied()).collect::<Vec<_>>()
-        };
+        let along = |c: &Conduit| c.nodes.iter().copied().zip(c.passages.iter().copied()).collect::<Vec<_>>();
         Self {
             title,
             epsg,
@@ -113,6 +124,36 @@ impl<'a> Survey<'a> {
             stations: network.nodes.iter().map(|place| place.map(|v| (v * 1000.0).round() as i64)).collect(),
             legs,
         }
+    }
+
+    /// The title without what would end it.
+    fn plain_title(&self) -> String {
+        self.title.replace(['"', '\n', '\r'], " ")
+    }
+
+    /// Fixed stations, entrances, legs and walls, a line each, in the words of a format.
+    fn centreline(&self, words: &Words) -> String {
+        let Words { command, row, walls: dimensions, entrance } = words;
+        let mut text = String::new();
+        // Writing to a string does not fail.
+        let mut line = |start: &str, rest: &str| {
+            let _ = writeln!(text, "{start}{rest}");
+        };
+        for &station in &self.fixed {
+            line(command, &format!("fix {} {}", station + 1, self.place(station).join(" ")));
+        }
+        for (station, kind) in &self.entrances {
+            line(command, &entrance(station + 1, kind));
+        }
+        line(command, "data cartesian from to easting northing altitude");
+        for &leg in &self.legs {
+            line(row, &format!("{} {} {}", leg[0] + 1, leg[1] + 1, self.leg(leg).join(" ")));
+        }
+        for passage in &self.passages {
+            line(command, &format!("data {dimensions} station left right up down"));
+            passage.iter().for_each(|(station, p)| line(row, &format!("{} {}", station + 1, walls(*p))));
+        }
+        text
     }
 
     fn place(&self, station: u32) -> [String; 3] {

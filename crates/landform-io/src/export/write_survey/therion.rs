@@ -1,38 +1,18 @@
 //! The format of Therion.
 
-use std::fmt::Write;
+use super::{Survey, Words};
 
-use super::{Survey, walls};
+const WORDS: Words = Words {
+    command: "    ",
+    row: "    ",
+    walls: "dimensions",
+    entrance: |station, kind| format!("station {station} \"{kind}\" entrance"),
+};
 
 /// The survey as the text of a `.th` file: one centreline.
 pub(super) fn text(survey: &Survey<'_>) -> String {
-    let mut text = String::new();
-    // Writing to a string does not fail.
-    let mut line = |l: &str| {
-        let _ = writeln!(text, "{l}");
-    };
-    line("encoding utf-8");
-    let title = survey.title.replace(['"', '\n', '\r'], " ");
-    line(&format!("survey cave -title \"{title}\""));
-    line("  centreline");
-    if let Some(epsg) = survey.epsg {
-        line(&format!("    cs EPSG:{epsg}"));
-    }
-    for &station in &survey.fixed {
-        line(&format!("    fix {} {}", station + 1, survey.place(station).join(" ")));
-    }
-    for (station, word) in &survey.entrances {
-        line(&format!("    station {} \"{word}\" entrance", station + 1));
-    }
-    line("    data cartesian from to easting northing altitude");
-    for &leg in &survey.legs {
-        line(&format!("    {} {} {}", leg[0] + 1, leg[1] + 1, survey.leg(leg).join(" ")));
-    }
-    for passage in &survey.passages {
-        line("    data dimensions station left right up down");
-        passage.iter().for_each(|(station, p)| line(&format!("    {} {}", station + 1, walls(*p))));
-    }
-    line("  endcentreline");
-    line("endsurvey");
-    text
+    let title = survey.plain_title();
+    let system = survey.epsg.map_or_else(String::new, |epsg| format!("    cs EPSG:{epsg}\n"));
+    let lines = survey.centreline(&WORDS);
+    format!("encoding utf-8\nsurvey cave -title \"{title}\"\n  centreline\n{system}{lines}  endcentreline\nendsurvey\n")
 }

@@ -3,7 +3,7 @@
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, NodeSurface};
 
-use super::vector::Vector;
+use crate::render::vector::Vector;
 use crate::render::waters;
 
 /// Blocks along a side whose highest points the frame must hold.

@@ -3,9 +3,9 @@
 use landform_core::math;
 
 use super::scene::Scene;
-use super::vector::{Vector, add, cross, dot, normalize, sub};
 use super::{Standpoint, View};
 use crate::render::colour::scale;
+use crate::render::vector::{Vector, add, cross, dot, normalize, sub};
 
 /// Field of view from bottom to top before a block, degrees.
 const FIELD_OF_VIEW: f64 = 28.0;

@@ -17,7 +17,6 @@ mod camera;
 mod paint;
 mod scene;
 mod sky;
-mod vector;
 
 use std::borrow::Cow;
 
@@ -172,8 +171,8 @@ fn as_fine_as_seen<'a>(field: &'a HeightField, view: &View) -> Cow<'a, HeightFie
 
 #[cfg(test)]
 mod tests {
-    use super::vector::{dot, sub};
     use super::*;
+    use crate::render::vector::{self, dot, sub};
     use landform_core::grid::Grid;
     use landform_core::math;
     use landform_core::terrain::NodeSurface;

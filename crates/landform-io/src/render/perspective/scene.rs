@@ -11,12 +11,12 @@ use super::View;
 use super::block;
 use super::paint::Paint;
 use super::sky::Sky;
-use super::vector::{Vector, along, dot, normalize};
 use crate::render::colour::{Rgb, blend, hex, mix, scale};
 use crate::render::cover::cut;
 use crate::render::ground::{CUT, DEEP};
 use crate::render::light::{sky_view, sun_view};
 use crate::render::pyramid::Pyramid;
+use crate::render::vector::{Vector, along, dot, normalize};
 
 const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
 const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];

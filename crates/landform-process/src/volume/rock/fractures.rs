@@ -1,10 +1,11 @@
 //! Planes in the rock: beds and sets of fractures.
 
-use landform_core::math;
 use landform_core::random::Seed;
 use landform_core::units::{Angle, Length};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::mechanism::plane_normal;
 
 /// A set of parallel fractures.
 ///
@@ -59,8 +60,7 @@ pub(super) struct Fall {
 impl Fall {
     /// Planes that dip by an angle towards a compass direction, rad.
     pub(super) fn new(dip: f64, direction: f64) -> Self {
-        let (level, up) = (math::sin(dip), math::cos(dip));
-        Self { normal: [level * math::sin(direction), level * math::cos(direction), up] }
+        Self { normal: plane_normal(dip, direction) }
     }
 
     /// Distance across the planes, upwards, m.

@@ -2,7 +2,7 @@
 
 mod section;
 
-use landform_core::feature::{ConduitNetwork, FeatureKind, Features, Property};
+use landform_core::feature::{ConduitNetwork, Feature, FeatureKind, Features};
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{Bounds, HeightField, Materials, NodeSurface, VoxelGrid};
 use landform_core::units::Length;
@@ -105,10 +105,7 @@ impl Tunnels {
     /// Voxels of the ground around a network, solid.
     fn block(&self, source: &HeightField, network: &ConduitNetwork) -> Result<VoxelGrid> {
         let (cell, buffer) = (self.cell_size.si(), self.around.buffer.si());
-        let fold = |f: fn(f64, f64) -> f64, start: f64| {
-            network.nodes.iter().fold([start; 3], |b, p| [f(b[0], p[0]), f(b[1], p[1]), f(b[2], p[2])])
-        };
-        let (low, high) = (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY));
+        let Bounds { low, high } = Bounds::around(&network.nodes);
         let bounds = source.bounds();
         let first = [0, 1].map(|k| ((low[k] - buffer).max(bounds[0][k]) / cell).ceil());
         let last = [0, 1].map(|k| ((high[k] + buffer).min(bounds[1][k]) / cell).floor());
@@ -163,8 +160,7 @@ impl Convert<HeightField, VoxelGrid> for Tunnels {
                     Sections::AsGiven => Section::AsGiven,
                 };
                 let piece = Piece::new(ends, walls, section, least);
-                let Bounds { low, high } = piece.bounds();
-                ground.empty(Bounds { low, high }, |at| piece.holds(at));
+                ground.empty(piece.bounds(), |at| piece.holds(at));
             }
         }
         *ground.features_mut() = source.features().clone();
@@ -184,17 +180,9 @@ impl Convert<HeightField, VoxelGrid> for Tunnels {
 
 /// For each conduit how deep its places lie under the water table, m, where that is known.
 fn depths_under_water(features: &Features) -> Vec<Option<Vec<f64>>> {
-    let of = |f: &landform_core::feature::Feature| {
-        let places = f.properties.iter().find(|p| p.0 == "left_m").and_then(|p| match &p.1 {
-            Property::Numbers(values) => Some(values.len()),
-            _ => None,
-        })?;
-        f.properties.iter().find_map(|(name, property)| match property {
-            Property::Numbers(values) if name == "depth_under_water_table_m" && values.len() == places => {
-                Some(values.clone())
-            }
-            _ => None,
-        })
+    let of = |f: &Feature| {
+        let places = f.numbers("left_m")?.len();
+        f.numbers("depth_under_water_table_m").filter(|depths| depths.len() == places).map(<[f64]>::to_vec)
     };
     features.of(FeatureKind::Conduit).map(of).collect()
 }

@@ -1,4 +1,6 @@
-//! Convergence studies, longer than tests may be.
+//! Convergence studies and statistics, longer than tests may be.
+
+mod karst;
 
 use std::process::Command;
 
@@ -15,7 +17,7 @@ const K: f64 = 1e-5;
 
 /// Prints the tables, and tries what the tests try a little of at length.
 pub(crate) fn run() -> bool {
-    match profile().and_then(|()| time_step()) {
+    match profile().and_then(|()| time_step()).and_then(|()| karst::networks()) {
         Ok(()) => {
             at_length("LANDFORM_HOSTILE", "2000", &["landform", "--test", "hostile"])
                 & at_length("LANDFORM_KILLS", "200", &["landform-cli", "--test", "faults", "killed_at_any_moment"])
