@@ -92,7 +92,7 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Coasts", "island_interior", "50_island_interior.toml"),
     recipe!("Coasts", "sector_coasts", "51_sector_coasts.toml"),
     recipe!("Under the ground", "limestone_cave", "75_limestone_cave.toml"),
-    recipe!("Under the ground", "phreatic_loops", "76_phreatic_loops.toml"),
+    recipe!("Under the ground", "linked_inlets", "76_linked_inlets.toml"),
     recipe!("Under the ground", "karst_network", "77_karst_network.toml"),
     recipe!("Running water", "between_level_sets", "54_between_level_sets.toml"),
     recipe!("Running water", "drained_folds", "55_drained_folds.toml"),
