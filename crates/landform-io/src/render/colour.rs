@@ -4,6 +4,8 @@
 //! Ottosson (2020), Oklab. The stops of the ramps are our own; each rises steadily in lightness
 //! where it shows a quantity.
 
+use std::sync::LazyLock;
+
 use landform_core::math::{cbrt, lerp, pow};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -67,11 +69,39 @@ fn from_srgb(v: f64) -> f64 {
 
 /// 8-bit sRGB of a linear colour.
 pub(super) fn to_srgb(colour: Rgb) -> [u8; 3] {
-    colour.map(|v| {
-        let v = v.clamp(0.0, 1.0);
-        let s = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * pow(v, 1.0 / 2.4) - 0.055 };
-        (s * 255.0 + 0.5) as u8
-    })
+    static SCALE: LazyLock<SrgbScale> = LazyLock::new(SrgbScale::new);
+    let scale = &*SCALE;
+    colour.map(|v| scale.nearest(v))
+}
+
+/// Light at which each of the 8-bit steps begins: a power for each pixel would cost more than to
+/// look it up.
+struct SrgbScale {
+    begins: [f64; 256],
+    /// The step at the beginning of each of equal parts of the light.
+    guess: [u8; SrgbScale::PARTS + 1],
+}
+
+impl SrgbScale {
+    const PARTS: usize = 2048;
+
+    fn new() -> Self {
+        let begins = std::array::from_fn(|k| from_srgb((k as f64 - 0.5) / 255.0));
+        let guess = std::array::from_fn(|part| {
+            let light = part as f64 / Self::PARTS as f64;
+            (begins.partition_point(|b| *b <= light) - 1) as u8
+        });
+        Self { begins, guess }
+    }
+
+    fn nearest(&self, light: f64) -> u8 {
+        let light = light.clamp(0.0, 1.0);
+        let mut step = self.guess[(light * Self::PARTS as f64) as usize];
+        while step < 255 && self.begins[usize::from(step) + 1] <= light {
+            step += 1;
+        }
+        step
+    }
 }
 
 /// Mixture in Oklab, even to the eye.
@@ -132,6 +162,16 @@ mod tests {
             let expected = [16, 8, 0].map(|s| (code >> s & 0xff) as u8);
             assert!(back.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 1), "{code:x} {back:?}");
         }
+    }
+
+    #[test]
+    fn steps_of_srgb_are_those_of_the_formula() {
+        for k in 0..=100_000 {
+            let v = f64::from(k) / 100_000.0;
+            let s = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * pow(v, 1.0 / 2.4) - 0.055 };
+            assert_eq!(to_srgb([v, 0.0, 0.0])[0], (s * 255.0 + 0.5) as u8, "{v}");
+        }
+        assert_eq!(to_srgb([-1.0, 7.0, f64::NAN]), [0, 255, 0]);
     }
 
     #[test]

@@ -15,6 +15,7 @@ mod block;
 mod block_view;
 mod camera;
 mod paint;
+mod relief;
 mod scene;
 mod sky;
 
@@ -149,16 +150,18 @@ fn tone(colour: Rgb) -> Rgb {
     colour.map(|v| v * (1.0 + v / (WHITE * WHITE)) / (1.0 + 0.55 * v))
 }
 
-/// Nodes a pixel of the picture's width beyond which a raster is coarsened before it is drawn.
-const MOST_NODES_A_PIXEL: f64 = 1.4;
+/// Nodes a pixel of the picture's width beyond which a raster is coarsened before it is drawn. A
+/// block stands askew, two thirds as wide as the picture; from a standpoint one looks closely.
+const MOST_NODES_A_PIXEL: [f64; 2] = [1.0, 1.4];
 
 /// The raster, coarsened where its nodes lie closer than the picture could show.
 fn as_fine_as_seen<'a>(field: &'a HeightField, view: &View) -> Cow<'a, HeightField> {
     let mut field = Cow::Borrowed(field);
     let pixels = view.width.max(1) as f64 * view.zoom.max(1.0);
+    let most = MOST_NODES_A_PIXEL[usize::from(view.standpoint.is_some())] * pixels;
     let is_too_fine = |field: &HeightField| {
         let Shape { rows, cols } = field.grid().shape;
-        rows.min(cols) > 64 && rows.max(cols) as f64 > MOST_NODES_A_PIXEL * pixels
+        rows.min(cols) > 64 && rows.max(cols) as f64 > most
     };
     while is_too_fine(&field) {
         match field.coarser() {

@@ -1,11 +1,11 @@
 //! Colours of the ground.
 
 use landform_core::algo::derivative::gradient;
-use landform_core::algo::noise::fbm;
+use landform_core::algo::noise::{Basis, Fractal, FractalKind};
 use landform_core::grid::Grid;
-use landform_core::math;
 use landform_core::random::Seed;
 use landform_core::terrain::HeightField;
+use landform_core::{math, parallel};
 
 use crate::render::colour::{Rgb, blend, from_oklab, hex, to_oklab};
 use crate::render::cover::Cover;
@@ -69,13 +69,33 @@ impl Paint {
         1.0 - 0.8 * self.cover.smooth(i)
     }
 
-    /// The colour of a node of a raster at `z`.
-    pub(super) fn ground(&self, grid: &Grid, z: &[f64], i: usize) -> Rgb {
+    /// The colour of every node of a raster at `z`.
+    pub(super) fn ground(&self, grid: &Grid, z: &[f64]) -> Vec<Rgb> {
+        let cols = grid.shape.cols;
+        let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
+        let mut colours = vec![[0.0; 3]; z.len()];
+        parallel::for_rows_mut(&mut colours, cols, |row, colours| {
+            let noise = |waves: f64, seed: u64, octaves: u32, lacunarity: f64, gain: f64| {
+                let fractal = Fractal { basis: Basis::Perlin, kind: FractalKind::Fbm, octaves, lacunarity, gain };
+                let places = (0..cols).map(|col| grid.position(row * cols + col));
+                let (xs, ys): (Vec<f64>, Vec<f64>) = places.map(|[x, y]| (waves * x / size, waves * y / size)).unzip();
+                let mut noise = vec![0.0; cols];
+                fractal.along(Seed(seed), &xs, &ys, &mut noise);
+                noise
+            };
+            let patches = noise(24.0, 3, 5, 2.0, 0.55);
+            let stands = if self.cover.is_desert() { Vec::new() } else { noise(90.0, 5, 4, 2.1, 0.6) };
+            for (col, colour) in colours.iter_mut().enumerate() {
+                *colour = self.node(grid, z, row * cols + col, patches[col], stands.get(col).copied());
+            }
+        });
+        colours
+    }
+
+    /// The colour of a node, in a patch of ground (about -1 to 1), and where a stand of trees may be.
+    fn node(&self, grid: &Grid, z: &[f64], i: usize, patch: f64, stands: Option<f64>) -> Rgb {
         let gradient = gradient(grid, z, i);
         let slope = gradient.slope() / self.exaggeration;
-        let [x, y] = grid.position(i);
-        let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
-        let patch = fbm(Seed(3), 24.0 * x / size, 24.0 * y / size, 5, 2.0, 0.55);
         let height = (z[i] - self.low) / self.relief + 0.07 * patch;
         let mean = |a: Rgb, b: Rgb, t: f64| blend(a, b, t.clamp(0.0, 1.0));
         let patched = |[a, b]: [Rgb; 2], strength: f64| mean(a, b, 0.5 + strength * patch);
@@ -83,9 +103,8 @@ impl Paint {
         let ([heath_from, heath_to], [rock_from, rock_to]) = (ground::HEATH_BEGINS, ground::ROCK_BEGINS);
         let mut colour =
             mean(patched(*meadow, 0.8), patched(*heath, 0.7), math::smoothstep(heath_from, heath_to, height));
-        if !self.cover.is_desert() {
+        if let Some(stands) = stands {
             // Trees like the shade, and leave heights and the steepest ground.
-            let stands = fbm(Seed(5), 90.0 * x / size, 90.0 * y / size, 4, 2.1, 0.6);
             let shady = (-gradient.y / self.exaggeration).clamp(-0.6, 0.6);
             let room = 0.45 + 0.8 * stands + 0.7 * shady - 1.3 * math::smoothstep(0.40, 0.72, height);
             let share = math::smoothstep(0.3, 0.6, room - math::smoothstep(0.75, 1.2, slope));

@@ -10,12 +10,12 @@ use landform_core::{math, parallel};
 use super::View;
 use super::block;
 use super::paint::Paint;
+use super::relief::Relief;
 use super::sky::Sky;
 use crate::render::colour::{Rgb, blend, hex, mix, scale};
 use crate::render::cover::cut;
 use crate::render::ground::{CUT, DEEP};
 use crate::render::light::{sky_view, sun_view};
-use crate::render::pyramid::Pyramid;
 use crate::render::vector::{Vector, along, dot, normalize};
 
 const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
@@ -53,13 +53,10 @@ impl Skin {
 pub(super) struct Scene<'a> {
     field: &'a HeightField,
     exaggeration: f64,
-    shape: Shape,
-    spacing: [f64; 2],
     pub(super) extent: [f64; 2],
     /// Surface, water included.
-    surface: Vec<f64>,
+    relief: Relief,
     skin: Vec<StoredSkin>,
-    pyramid: Pyramid,
     pub(super) low: f64,
     pub(super) high: f64,
     foot: f64,
@@ -103,7 +100,7 @@ struct Around {
 impl<'a> Scene<'a> {
     /// Points that the frame must hold.
     pub(super) fn outline(&self) -> Vec<Vector> {
-        block::outline(self.field.grid(), &self.surface, self.foot)
+        block::outline(self.field.grid(), &self.relief.surface, self.foot)
     }
 
     pub(super) fn new(field: &'a HeightField, view: &View) -> Self {
@@ -126,12 +123,13 @@ impl<'a> Scene<'a> {
         if !view.water || is_within {
             paint.river.fill(0.0);
         }
+        let colours = paint.ground(grid, &ground);
         let skin = parallel::map(ground.len(), |i| {
             let g = gradient(grid, &ground, i);
             let normal = if depth[i] > 0.0 { water_normal(grid, &surface, i) } else { normalize([-g.x, -g.y, 1.0]) };
             let skin = Skin {
                 normal,
-                colour: paint.ground(grid, &ground, i),
+                colour: colours[i],
                 sky: seen_sky[i],
                 sun: sun[i],
                 water: if is_within { depth[i].max(stream[i]) } else { depth[i] },
@@ -140,17 +138,13 @@ impl<'a> Scene<'a> {
             skin.stored()
         });
         let ca = math::cos(view.sun_altitude);
-        let pyramid = Pyramid::new(grid.shape, &surface);
         let foot = block::foot(extent, low, high);
         Self {
             field,
             exaggeration: view.exaggeration,
-            shape: grid.shape,
-            spacing: grid.spacing,
             extent,
-            surface,
+            relief: Relief::new(grid, surface),
             skin,
-            pyramid,
             low,
             high: surface_high,
             foot,
@@ -179,10 +173,10 @@ impl<'a> Scene<'a> {
         };
         let start = enter.max(0.0);
         let p = along(from, direction, start);
-        let (colour, hit) = if enter > 0.0 && p[2] <= self.height_at(p) {
+        let (colour, hit) = if enter > 0.0 && p[2] <= self.relief.height_at(p) {
             (self.wall(p), start)
         } else {
-            match self.march(from, direction, start, leave) {
+            match self.relief.march(from, direction, start, leave) {
                 Some(t) => (self.shade(along(from, direction, t), direction, None), t),
                 None => return self.sky.colour(direction[2]),
             }
@@ -217,7 +211,7 @@ impl<'a> Scene<'a> {
                 return None;
             }
             let (enter, leave) = self.box_span(from, direction)?;
-            if let Some(far) = self.march(from, direction, enter.max(0.0), leave) {
+            if let Some(far) = self.relief.march(from, direction, enter.max(0.0), leave) {
                 return Some(Meeting { at: along(from, direction, far), far: passed + far, turned });
             }
             let exit = along(from, direction, leave);
@@ -244,7 +238,7 @@ impl<'a> Scene<'a> {
     /// Distance to the surface along a ray, if it meets it.
     pub(super) fn hit(&self, from: Vector, direction: Vector) -> Option<f64> {
         let (enter, leave) = self.box_span(from, direction)?;
-        self.march(from, direction, enter.max(0.0), leave)
+        self.relief.march(from, direction, enter.max(0.0), leave)
     }
 
     /// Whether the map lies in the sea.
@@ -264,7 +258,7 @@ impl<'a> Scene<'a> {
     /// Water of a colour, under the sky that it mirrors.
     fn mirror(&self, below: Rgb, direction: Vector) -> Rgb {
         let facing = (-direction[2]).clamp(0.0, 1.0);
-        let share = 0.03 + 0.97 * math::pow(1.0 - facing, 5.0);
+        let share = 0.03 + 0.97 * math::powi(1.0 - facing, 5);
         blend(below, self.sky.colour(-direction[2]), share)
     }
 
@@ -282,90 +276,13 @@ impl<'a> Scene<'a> {
         (enter < leave && leave > 0.0).then_some((enter, leave))
     }
 
-    /// Column and row of a position, as real numbers.
-    fn col_row(&self, p: Vector) -> [f64; 2] {
-        let c = (p[0] / self.spacing[0]).clamp(0.0, (self.shape.cols - 1) as f64);
-        let r = ((self.extent[1] - p[1]) / self.spacing[1]).clamp(0.0, (self.shape.rows - 1) as f64);
-        [c, r]
-    }
-
-    fn corners(&self, p: Vector) -> ([usize; 4], [f64; 2]) {
-        let [c, r] = self.col_row(p);
-        let (c0, r0) = (c as usize, r as usize);
-        let (c1, r1) = ((c0 + 1).min(self.shape.cols - 1), (r0 + 1).min(self.shape.rows - 1));
-        let at = |r, c| self.shape.index(r, c);
-        ([at(r0, c0), at(r0, c1), at(r1, c0), at(r1, c1)], [c - c0 as f64, r - r0 as f64])
-    }
-
+    /// Level of the surface at a place, m.
     pub(super) fn height_at(&self, p: Vector) -> f64 {
-        let (k, [u, v]) = self.corners(p);
-        let [a, b, c, d] = k.map(|i| self.surface[i]);
-        math::lerp(math::lerp(a, b, u), math::lerp(c, d, u), v)
-    }
-
-    /// Distance to the surface along a ray, by leaps over blocks that it passes above.
-    fn march(&self, from: Vector, direction: Vector, start: f64, leave: f64) -> Option<f64> {
-        let top = self.pyramid.levels.len() - 1;
-        let (mut t, mut level) = (start, top);
-        let speed = [direction[0] / self.spacing[0], -direction[1] / self.spacing[1]];
-        let nudge = 1e-6 * self.spacing[0];
-        while t < leave {
-            let p = along(from, direction, t + nudge);
-            let [c, r] = self.col_row(p);
-            let (shape, greatest) = &self.pyramid.levels[level];
-            let side = (1usize << level) as f64;
-            let (bc, br) = (((c / side) as usize).min(shape.cols - 1), ((r / side) as usize).min(shape.rows - 1));
-            // Time until the ray leaves this block.
-            let edge = |at: f64, block: usize, speed: f64| {
-                let wall = if speed > 0.0 { (block + 1) as f64 * side } else { block as f64 * side };
-                if speed == 0.0 { f64::INFINITY } else { ((wall - at) / speed).max(0.0) }
-            };
-            let step = edge(c, bc, speed[0]).min(edge(r, br, speed[1])) + nudge;
-            let end = (t + step).min(leave);
-            let lowest = along(from, direction, end)[2].min(along(from, direction, t)[2]);
-            if lowest > f64::from(greatest[shape.index(br, bc)]) {
-                t = end.max(t + nudge);
-                level = (level + 1).min(top);
-            } else if level > 0 {
-                level -= 1;
-            } else {
-                if let Some(hit) = self.refine(from, direction, t, end) {
-                    return Some(hit);
-                }
-                t = end.max(t + nudge);
-            }
-        }
-        None
-    }
-
-    /// The first crossing within a cell, by a few samples and bisection.
-    fn refine(&self, from: Vector, direction: Vector, start: f64, end: f64) -> Option<f64> {
-        const PARTS: usize = 3;
-        let above = |t: f64| {
-            let p = along(from, direction, t);
-            p[2] - self.height_at(p)
-        };
-        let mut a = start;
-        if above(a) <= 0.0 {
-            return Some(a);
-        }
-        for k in 1..=PARTS {
-            let b = start + (end - start) * k as f64 / PARTS as f64;
-            if above(b) <= 0.0 {
-                let mut b = b;
-                for _ in 0..10 {
-                    let middle = 0.5 * (a + b);
-                    if above(middle) > 0.0 { a = middle } else { b = middle }
-                }
-                return Some(b);
-            }
-            a = b;
-        }
-        None
+        self.relief.height_at(p)
     }
 
     fn skin_at(&self, p: Vector) -> Skin {
-        let (k, [u, v]) = self.corners(p);
+        let (k, [u, v]) = self.relief.corners(p);
         let weights = [(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v];
         let mut mean = [0.0; 10];
         for (i, w) in k.into_iter().zip(weights) {
@@ -406,7 +323,7 @@ impl<'a> Scene<'a> {
     /// Gives ground a grain finer than its nodes, in waves that a pixel does not blur: tufts and
     /// stones by colour, bumps by slope.
     fn roughen(&self, skin: &mut Skin, p: Vector, footprint: f64) {
-        let cell = self.spacing[0].min(self.spacing[1]);
+        let cell = self.relief.spacing[0].min(self.relief.spacing[1]);
         let normal = skin.normal;
         let fall = [0, 1].map(|k| normal[k] / normal[2].max(0.2));
         let (mut tone, mut bump) = (0.0, [0.0; 2]);
@@ -435,8 +352,8 @@ impl<'a> Scene<'a> {
         };
         let scale_length = 0.02 * (self.extent[0] + self.extent[1]);
         let along_wall = if on_x { p[1] } else { p[0] };
-        let under = (self.height_at(p) - p[2]) / scale_length;
-        let (k, [u, v]) = self.corners(p);
+        let under = (self.relief.height_at(p) - p[2]) / scale_length;
+        let (k, [u, v]) = self.relief.corners(p);
         let (to, t) = if on_x { (k[2], v) } else { (k[1], u) };
         let beds = cut(self.field, [k[0], to], t, p[2] / self.exaggeration);
         let grain = fbm(Seed(11), along_wall / (0.5 * scale_length), p[2] / (0.5 * scale_length), 4, 2.1, 0.6);
