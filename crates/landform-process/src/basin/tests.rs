@@ -52,12 +52,12 @@ fn stresses(t: &HeightField) -> Vec<(f64, f64)> {
 fn no_stress_is_left_above_the_threshold_and_most_ground_is_at_it() {
     // SOC1, SOC2, SOC3.
     for seed in 1..=3 {
-        for (rounds, most_at_least) in [(0, 0.15), (25, 0.45)] {
+        for (rounds, expected) in [(0, 0.25..=0.60), (25, 0.45..=0.95)] {
             let all = stresses(&critical(96, seed, rounds));
             assert!(all.iter().all(|s| s.1 <= 1.0 + 1e-9), "SOC1");
             let at: Vec<_> = all.iter().filter(|s| s.1 > 0.99).collect();
             let part = at.len() as f64 / all.len() as f64;
-            assert!(part > most_at_least, "SOC2: {part} after {rounds}");
+            assert!(expected.contains(&part), "SOC2: {part} after {rounds}");
             let points = at.iter().map(|s| (math::log(s.0), math::log(s.1 * 10.0 / s.0.sqrt())));
             let (exponent, ..) = math::line_fit(points.collect::<Vec<_>>().into_iter());
             assert!((exponent + 0.5).abs() < 0.02, "SOC3: {exponent}");

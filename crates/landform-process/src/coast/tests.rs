@@ -139,8 +139,9 @@ fn a_radius_over_the_whole_domain_is_the_global_model() {
     let one = CoastErosion { perimeter: Perimeter::Sectors { sectors: 0 }, ..global };
     let (c, _) = run(&one, ground(96, 96, 10.0, false), 5);
     let left = |f: &HeightField| land(f).iter().filter(|l| **l).count() as f64;
-    // Lines across corners are shorter than stairs, so the sea is damped less.
-    assert!(left(&c) < left(&a) && left(&c) > 0.6 * left(&a), "{} {}", left(&c), left(&a));
+    // Lines across corners are shorter than stairs, so the sea is damped less: not the same island,
+    // as with the radius above, but a smaller one.
+    assert!(left(&c) < 0.85 * left(&a) && left(&c) > 0.72 * left(&a), "{} {}", left(&c), left(&a));
 }
 
 #[test]

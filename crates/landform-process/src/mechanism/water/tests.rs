@@ -194,8 +194,9 @@ fn water_in_pipes_comes_to_rest_level() {
     let wet: Vec<f64> = (0..z.len()).filter(|&i| water[i] > 5e-3).map(|i| z[i] + water[i]).collect();
     let (lo, hi) = wet.iter().fold((f64::MAX, f64::MIN), |(a, b), &h| (a.min(h), b.max(h)));
     let level = (0..z.len()).filter(|&i| expected[i] > 0.0).map(|i| z[i] + expected[i]).fold(0.0, f64::max);
-    // It goes on sloshing, less and less: friction falls with the square of the speed.
-    assert!(hi - lo < 2e-3 && (hi - level).abs() < 2e-3, "{lo} {hi} {level}");
+    // Not the 1e-6 of a level pool: it goes on sloshing, less and less, as friction falls with the
+    // square of the speed.
+    assert!(hi - lo < 5e-4 && (hi - level).abs() < 5e-4, "{lo} {hi} {level}");
 }
 
 #[test]
