@@ -1,6 +1,7 @@
 //! The landscape as a picture.
 
 use landform_core::analysis::{LEAST_WINDOW, density};
+use landform_core::field::names::unit_of;
 use landform_core::grid::Shape;
 use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, Rasterize, VoxelGrid};
 use landform_core::units::{Angle, Length};
@@ -11,7 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::format::encode_png;
 use crate::render::{
-    CutawayView, MapStyle, Picture, Ramp, Standpoint, View, cutaway, field_map, perspective, shaded_map, value_picture,
+    CutawayView, MapStyle, Picture, Ramp, Standpoint, View, cutaway, field_map_with_legend, perspective, shaded_map,
+    value_picture,
 };
 
 /// Writes a picture (PNG): a map from above, or a perspective view.
@@ -25,7 +27,8 @@ pub struct WritePicture {
     /// Length of the longer side, pixels.
     #[schemars(extend("x-min" = 16, "x-max" = 16_384))]
     pub size: usize,
-    /// Map only: field that is shown. If not given, it is elevation with rivers and lakes.
+    /// Map only: field that is shown, with a legend of its ramp. If not given, it is elevation with
+    /// rivers and lakes.
     pub field: Option<String>,
     /// Map only: colour ramp.
     pub ramp: Option<Ramp>,
@@ -186,7 +189,14 @@ impl WritePicture {
         };
         match field {
             None => shaded_map(&raster, &style),
-            Some(name) => field_map(&raster, &raster.real(name, "`write_picture`")?, &style),
+            Some(name) => {
+                let values = raster.real(name, "`write_picture`")?;
+                let title = match unit_of(name) {
+                    None | Some("1") => name.to_string(),
+                    Some(unit) => format!("{name}, {unit}"),
+                };
+                field_map_with_legend(&raster, &values, &title, &style)
+            }
         }
     }
 }

@@ -87,6 +87,26 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
 /// # Errors
 /// Where [`HeightField::new`] fails.
 pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Result<Picture> {
+    Ok(ranged_field_map(field, values, style)?.0)
+}
+
+/// As [`field_map`], with a legend: what is shown, and the values at the ends of the ramp.
+pub(crate) fn field_map_with_legend(
+    field: &HeightField,
+    values: &[f64],
+    title: &str,
+    style: &MapStyle,
+) -> Result<Picture> {
+    let (mut picture, (low, high)) = ranged_field_map(field, values, style)?;
+    let end = |v: f64| if style.logarithmic { math::pow(10.0, v) } else { v };
+    if low <= high {
+        let title = if style.logarithmic { format!("{title}, log") } else { title.into() };
+        picture.legend(&title, style.ramp, [end(low), end(high)]);
+    }
+    Ok(picture)
+}
+
+fn ranged_field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Result<(Picture, (f64, f64))> {
     let (lo, hi) = range(field.elevation());
     let shade = relief(field.grid(), field.elevation(), hi - lo);
     let scaled = if style.logarithmic { logarithms(values) } else { values.to_vec() };
@@ -97,7 +117,7 @@ pub fn field_map(field: &HeightField, values: &[f64], style: &MapStyle) -> Resul
         }
         scale(style.ramp.at((scaled[i] - a) / (b - a).max(1e-300)), 0.75 + 0.25 * shade[i])
     });
-    Ok(paint(field.grid().shape, &colours, style.size))
+    Ok((paint(field.grid().shape, &colours, style.size), (a, b)))
 }
 
 /// Decadic logarithms, cut off below at the first percentile of what is above zero.
