@@ -84,6 +84,23 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
     assert!(odd.is_empty(), "{odd:?}");
 }
 
+#[test]
+fn what_a_run_killed_in_its_first_checkpoint_left_goes() {
+    let dir = folder_with(4);
+    let state = dir.path().join("o/.landform");
+    fs::create_dir_all(state.join("checkpoint.watch")).unwrap();
+    // No process has this number.
+    for left in
+        [".checkpoint.lfc.4000000000.landform.part", "checkpoint.watch/.000000000004.lfc.4000000000.landform.part"]
+    {
+        fs::write(state.join(left), b"half").unwrap();
+    }
+    assert!(landform(dir.path(), &["run", "r.toml", "-o", "o", "-q", "--resume"]).status().unwrap().success());
+    let left: Vec<_> =
+        files(&dir.path().join("o")).into_iter().filter(|f| f.to_string_lossy().contains(".part")).collect();
+    assert!(left.is_empty(), "{left:?}");
+}
+
 /// Kills runs at random moments, resumes each, and compares the files with those of a run that was
 /// left alone. Some in the tests; `cargo xtask validate` sets `LANDFORM_KILLS`.
 #[test]

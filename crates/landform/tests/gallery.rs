@@ -222,7 +222,7 @@ const SMALL: &[(&str, &[&str])] = &[
     ("coasts_global", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("coasts_local", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("coasts_weakened", &["square.cell_size=60 m", "write_picture.size=160"]),
-    ("coasts_by_look", &["square.size=[\"1.6 km\", \"1.6 km\"]", "write_picture.size=160"]),
+    ("coasts_by_look", &["hills.cell_size=40 m", "write_picture.size=160"]),
     ("mixed_coast", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("island_interior", &["square.cell_size=60 m", "write_picture.size=160"]),
     ("sector_coasts", &["square.cell_size=80 m", "write_picture.size=160"]),

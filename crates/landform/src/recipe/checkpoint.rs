@@ -184,6 +184,12 @@ fn head(path: &Path) -> Vec<u8> {
     bytes
 }
 
+/// Removes what a killed run left unfinished where the state at a path is kept.
+pub(super) fn tidy(path: &Path) {
+    path.parent().into_iter().for_each(sweep);
+    sweep(&pieces(path));
+}
+
 /// The folder of what was seen.
 fn pieces(path: &Path) -> PathBuf {
     path.with_extension("watch")

@@ -11,7 +11,7 @@ use landform_core::verb::{Context, Event, Landscape, Outcome, Output};
 use landform_core::{Error, Result};
 
 use super::cache::Cache;
-use super::checkpoint::{Checkpoint, check_undamaged};
+use super::checkpoint::{Checkpoint, check_undamaged, tidy};
 use super::entry::{Entry, Work};
 use super::evolve::Evolving;
 use super::options::{Options, Outputs, Signal};
@@ -156,6 +156,7 @@ impl Runner<'_> {
     /// use.
     fn find_kept(&self, plan: &Plan) -> Result<Option<Kept>> {
         let resume = self.options.resume;
+        self.options.checkpoint.as_deref().into_iter().for_each(tidy);
         let Some(path) = self.options.checkpoint.as_deref().filter(|path| path.is_file()) else {
             if resume {
                 self.note("there is no checkpoint to go on from; what is not in the cache starts afresh");
