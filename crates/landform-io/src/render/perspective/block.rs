@@ -4,7 +4,6 @@ use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, NodeSurface};
 
 use crate::render::vector::Vector;
-use crate::render::waters;
 
 /// Blocks along a side whose highest points the frame must hold.
 const FRAMED: usize = 96;
@@ -45,14 +44,19 @@ pub(super) fn outline(grid: &Grid, surface: &[f64], foot: f64) -> Vec<Vector> {
 
 /// Depth of lakes (if `inland`) and of the sea over each node, m. Sea is what lies below its level
 /// in a land that also rises above it.
-pub(super) fn water_depth(field: &HeightField, (lo, hi): (f64, f64), level: f64, inland: bool) -> Vec<f64> {
-    let water = waters(field);
+pub(super) fn water_depth(
+    field: &HeightField,
+    lake: &[f64],
+    (lo, hi): (f64, f64),
+    level: f64,
+    inland: bool,
+) -> Vec<f64> {
     let has_sea = lo < level && hi > level;
     let depth = |(i, &z): (usize, &f64)| {
         if has_sea && z < level {
             level - z
         } else if inland {
-            water.lake[i]
+            lake[i]
         } else {
             0.0
         }

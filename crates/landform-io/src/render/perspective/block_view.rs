@@ -5,6 +5,7 @@ use landform_core::terrain::{HeightField, NodeSurface};
 
 use super::camera::Camera;
 use super::{View, block};
+use crate::render::waters;
 
 /// A block of land in local metres, and the camera that holds it: x east, y north from the
 /// south-west corner, z up, elevations exaggerated.
@@ -29,7 +30,7 @@ impl BlockView {
     /// (m, not exaggerated).
     pub(crate) fn new(field: &HeightField, view: &View, sea_level: f64) -> Self {
         let (lo, hi) = block::range(field.elevation());
-        let depth = block::water_depth(field, (lo, hi), sea_level, view.water);
+        let depth = block::water_depth(field, &waters(field).lake, (lo, hi), sea_level, view.water);
         let factor = view.exaggeration;
         let height = |(z, depth): (&f64, &f64)| (if z.is_nan() { lo } else { *z } + depth) * factor;
         let surface: Vec<f64> = field.elevation().iter().zip(&depth).map(height).collect();

@@ -1,15 +1,15 @@
 //! Colours of the ground.
 
-use landform_core::algo::derivative::gradient;
+use landform_core::algo::derivative::Gradient;
 use landform_core::algo::noise::{Basis, Fractal, FractalKind};
 use landform_core::grid::Grid;
+use landform_core::math;
 use landform_core::random::Seed;
 use landform_core::terrain::HeightField;
-use landform_core::{math, parallel};
 
 use crate::render::colour::{Rgb, blend, from_oklab, hex, to_oklab};
 use crate::render::cover::Cover;
-use crate::render::{ground, waters};
+use crate::render::ground;
 
 /// Colours of the ground: each a pair between which patches vary, in Oklab, so that a node's colour
 /// is a few plain means.
@@ -39,19 +39,26 @@ impl Inks {
 /// What the ground's colours follow.
 pub(super) struct Paint {
     inks: Inks,
-    pub(super) river: Vec<f64>,
+    river: Vec<f64>,
     cover: Cover,
     low: f64,
     relief: f64,
     exaggeration: f64,
 }
 
+/// Noise on a row of nodes, which paint follows.
+pub(super) struct PaintedRow {
+    patches: Vec<f64>,
+    stands: Vec<f64>,
+}
+
 impl Paint {
-    pub(super) fn new(field: &HeightField, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
+    /// `river` as [`waters`](crate::render::waters) has it; empty where none are drawn.
+    pub(super) fn new(field: &HeightField, river: Vec<f64>, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
         let low = ground::low_land(lo, hi);
         Self {
             inks: Inks::new(),
-            river: waters(field).river,
+            river,
             cover: Cover::of(field),
             low: low * exaggeration,
             relief: ((hi - low) * exaggeration).max(1e-9),
@@ -69,34 +76,28 @@ impl Paint {
         1.0 - 0.8 * self.cover.smooth(i)
     }
 
-    /// The colour of every node of a raster at `z`.
-    pub(super) fn ground(&self, grid: &Grid, z: &[f64]) -> Vec<Rgb> {
+    /// Patches of ground (about -1 to 1) and stands of trees on a row of a raster; no stands in a
+    /// desert.
+    pub(super) fn row(&self, grid: &Grid, row: usize) -> PaintedRow {
         let cols = grid.shape.cols;
         let size = grid.extent()[0].max(grid.extent()[1]).max(1e-9);
-        let mut colours = vec![[0.0; 3]; z.len()];
-        parallel::for_rows_mut(&mut colours, cols, |row, colours| {
-            let noise = |waves: f64, seed: u64, octaves: u32, lacunarity: f64, gain: f64| {
-                let fractal = Fractal { basis: Basis::Perlin, kind: FractalKind::Fbm, octaves, lacunarity, gain };
-                let places = (0..cols).map(|col| grid.position(row * cols + col));
-                let (xs, ys): (Vec<f64>, Vec<f64>) = places.map(|[x, y]| (waves * x / size, waves * y / size)).unzip();
-                let mut noise = vec![0.0; cols];
-                fractal.along(Seed(seed), &xs, &ys, &mut noise);
-                noise
-            };
-            let patches = noise(24.0, 3, 5, 2.0, 0.55);
-            let stands = if self.cover.is_desert() { Vec::new() } else { noise(90.0, 5, 4, 2.1, 0.6) };
-            for (col, colour) in colours.iter_mut().enumerate() {
-                *colour = self.node(grid, z, row * cols + col, patches[col], stands.get(col).copied());
-            }
-        });
-        colours
+        let noise = |waves: f64, seed: u64, octaves: u32, lacunarity: f64, gain: f64| {
+            let fractal = Fractal { basis: Basis::Perlin, kind: FractalKind::Fbm, octaves, lacunarity, gain };
+            let places = (0..cols).map(|col| grid.position(row * cols + col));
+            let (xs, ys): (Vec<f64>, Vec<f64>) = places.map(|[x, y]| (waves * x / size, waves * y / size)).unzip();
+            let mut noise = vec![0.0; cols];
+            fractal.along(Seed(seed), &xs, &ys, &mut noise);
+            noise
+        };
+        let stands = if self.is_desert() { Vec::new() } else { noise(90.0, 5, 4, 2.1, 0.6) };
+        PaintedRow { patches: noise(24.0, 3, 5, 2.0, 0.55), stands }
     }
 
-    /// The colour of a node, in a patch of ground (about -1 to 1), and where a stand of trees may be.
-    fn node(&self, grid: &Grid, z: &[f64], i: usize, patch: f64, stands: Option<f64>) -> Rgb {
-        let gradient = gradient(grid, z, i);
+    /// The colour of a node at `z` of the given slope, whose place in its row is `col`.
+    pub(super) fn ground(&self, row: &PaintedRow, col: usize, i: usize, z: f64, gradient: Gradient) -> Rgb {
+        let (patch, stands) = (row.patches[col], row.stands.get(col));
         let slope = gradient.slope() / self.exaggeration;
-        let height = (z[i] - self.low) / self.relief + 0.07 * patch;
+        let height = (z - self.low) / self.relief + 0.07 * patch;
         let mean = |a: Rgb, b: Rgb, t: f64| blend(a, b, t.clamp(0.0, 1.0));
         let patched = |[a, b]: [Rgb; 2], strength: f64| mean(a, b, 0.5 + strength * patch);
         let Inks { meadow, heath, forest, rock, snow: white, river: blue } = &self.inks;
@@ -116,7 +117,7 @@ impl Paint {
         let snow = math::smoothstep(line - 0.02, line + 0.1, height)
             * (1.0 - math::smoothstep(ground::SNOW_ENDS[0], ground::SNOW_ENDS[1], slope + 0.2 * patch));
         colour = mean(colour, *white, snow);
-        let river = self.river[i];
+        let river = self.river.get(i).copied().unwrap_or(0.0);
         if river > 0.45 {
             colour = mean(colour, *blue, math::smoothstep(0.45, 0.8, river));
         }

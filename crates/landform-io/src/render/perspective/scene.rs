@@ -17,6 +17,7 @@ use crate::render::cover::cut;
 use crate::render::ground::{CUT, DEEP};
 use crate::render::light::{sky_view, sun_view};
 use crate::render::vector::{Vector, along, dot, normalize};
+use crate::render::{Waters, waters};
 
 const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
 const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];
@@ -109,33 +110,41 @@ impl<'a> Scene<'a> {
         let (lo, hi) = block::range(field.elevation());
         let ground: Vec<f64> =
             field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
-        let depth = block::water_depth(field, (lo, hi), 0.0, view.water);
+        let Waters { lake, river } = waters(field);
+        let depth = block::water_depth(field, &lake, (lo, hi), 0.0, view.water);
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i] * view.exaggeration).collect();
         let (low, high) = (lo * view.exaggeration, hi * view.exaggeration);
         let surface_high = surface.iter().copied().fold(high, f64::max);
         let seen_sky = sky_view(grid, &surface);
         let sun = sun_view(grid, &surface, view.sun, view.sun_altitude);
-        let mut paint = Paint::new(field, (lo, hi), view.exaggeration);
-        // In the land rivers are water that mirrors the sky, not ink on a map.
-        let stream = |strength: f64| 0.8 * math::smoothstep(0.45, 0.8, strength);
-        let stream: Vec<f64> = paint.river.iter().map(|s| stream(*s)).collect();
         let is_within = view.standpoint.is_some() && view.water;
-        if !view.water || is_within {
-            paint.river.fill(0.0);
-        }
-        let colours = paint.ground(grid, &ground);
-        let skin = parallel::map(ground.len(), |i| {
-            let g = gradient(grid, &ground, i);
-            let normal = if depth[i] > 0.0 { water_normal(grid, &surface, i) } else { normalize([-g.x, -g.y, 1.0]) };
-            let skin = Skin {
-                normal,
-                colour: colours[i],
-                sky: seen_sky[i],
-                sun: sun[i],
-                water: if is_within { depth[i].max(stream[i]) } else { depth[i] },
-                roughness: paint.roughness(i),
-            };
-            skin.stored()
+        // In the land rivers are water that mirrors the sky, not ink on a map.
+        let (inked, streams) = match (view.water, is_within) {
+            (false, _) => (Vec::new(), Vec::new()),
+            (true, false) => (river, Vec::new()),
+            (true, true) => (Vec::new(), river),
+        };
+        let stream = |i: usize| streams.get(i).map_or(0.0, |s| 0.8 * math::smoothstep(0.45, 0.8, *s));
+        let paint = Paint::new(field, inked, (lo, hi), view.exaggeration);
+        let cols = grid.shape.cols;
+        let mut skin = vec![[0.0; 10]; ground.len()];
+        parallel::for_rows_mut(&mut skin, cols, |row, skins| {
+            let painted = paint.row(grid, row);
+            for (col, skin) in skins.iter_mut().enumerate() {
+                let i = row * cols + col;
+                let g = gradient(grid, &ground, i);
+                let normal =
+                    if depth[i] > 0.0 { water_normal(grid, &surface, i) } else { normalize([-g.x, -g.y, 1.0]) };
+                let node = Skin {
+                    normal,
+                    colour: paint.ground(&painted, col, i, ground[i], g),
+                    sky: seen_sky[i],
+                    sun: sun[i],
+                    water: depth[i].max(stream(i)),
+                    roughness: paint.roughness(i),
+                };
+                *skin = node.stored();
+            }
         });
         let ca = math::cos(view.sun_altitude);
         let foot = block::foot(extent, low, high);
