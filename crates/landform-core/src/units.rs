@@ -294,8 +294,19 @@ impl<D: Dimension> fmt::Debug for Quantity<D> {
 
 impl<D: Dimension> fmt::Display for Quantity<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", short(self.value()), D::UNIT)
+        write!(f, "{} {}", number_text(short(self.value())), D::UNIT)
     }
+}
+
+/// A number as people read it: with a power of ten where it would have many zeros.
+///
+/// ```
+/// use landform_core::units::number_text;
+///
+/// assert_eq!([1250.5, 1e308].map(number_text), ["1250.5", "1e308"]);
+/// ```
+pub fn number_text(value: f64) -> String {
+    if value.is_finite() && value.abs() >= 1e15 { format!("{value:e}") } else { format!("{value}") }
 }
 
 /// The value without the noise that division by a unit leaves in the last digits.
@@ -391,5 +402,7 @@ mod tests {
             assert!((back.si() - q.si()).abs() <= 1e-11 * q.si().abs());
         }
         assert_eq!(Rate::of(0.4).to_string(), "0.4 mm/yr");
+        assert_eq!(Length::of(-1e308).to_string(), "-1e308 m");
+        assert_eq!(Length::parse(&Length::of(2.5e17).to_string()).unwrap().si(), 2.5e17);
     }
 }

@@ -286,6 +286,14 @@ fn fields_that_no_stage_leaves_are_refused_before_the_run() {
     assert!(error.contains("field `drainage_area` is missing; `write_raster` needs it"), "{error}");
     let error = plan(&drained.replace("drainage_area", "drainage_aera")).unwrap_err();
     assert!(error.contains("stage 3") && error.contains("did you mean `drainage_area`"), "{error}");
+    let network = |stage: &str| format!("[[stage]]\nuse = \"karst_network\"\n[[stage]]\nuse = \"{stage}\"\n");
+    for stage in ["measure_network", "write_survey", "tunnels"] {
+        plan(&network(stage)).unwrap();
+        let error = plan(&format!("[[stage]]\nuse = \"{stage}\"\n")).unwrap_err();
+        assert!(error.contains("no conduits") && error.contains("`karst_network`"), "{error}");
+    }
+    let long = network("write_survey").replace("karst_network\"", "karst_network\"\nbend = \"5 km\"");
+    assert!(plan(&long).unwrap_err().contains("1 m to 250 m on this map"));
     // A value that a map of a field gives, and ground that is made anew.
     let by_field = "[[stage]]\nuse = \"blend\"\namount = { field = \"beach\" }\n";
     assert!(plan(by_field).unwrap_err().contains("field `beach` is missing"));

@@ -161,13 +161,36 @@ impl ConduitNetwork {
     /// assert_eq!((fork.nodes.len(), fork.conduits.len()), (4, 3));
     /// ```
     pub fn from_edges(nodes: Vec<[f64; 3]>, edges: &[[u32; 2]], passage: impl Fn(u32) -> Passage) -> Self {
+        Self::from_edges_with_ends(nodes, edges, &[], passage)
+    }
+
+    /// As [`ConduitNetwork::from_edges`], and conduits end at the nodes `ends` too, such as springs
+    /// along a passage.
+    ///
+    /// **Cost** O(nodes + edges).
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [20.0, 0.0, 9.0]];
+    /// let cut = ConduitNetwork::from_edges_with_ends(nodes, &[[0, 1], [1, 2]], &[1], |_| Passage::round(1.0));
+    /// assert_eq!(cut.conduits.len(), 2);
+    /// ```
+    pub fn from_edges_with_ends(
+        nodes: Vec<[f64; 3]>,
+        edges: &[[u32; 2]],
+        ends: &[u32],
+        passage: impl Fn(u32) -> Passage,
+    ) -> Self {
         let mut at: Vec<Vec<u32>> = vec![Vec::new(); nodes.len()];
         for (k, edge) in edges.iter().enumerate() {
             edge.iter().for_each(|&n| at[n as usize].push(k as u32));
         }
+        let mut is_end = vec![false; nodes.len()];
+        ends.iter().for_each(|&n| is_end[n as usize] = true);
         let mut used = vec![false; edges.len()];
         let mut conduits = Vec::new();
-        let through = |n: u32| at[n as usize].len() == 2;
+        let through = |n: u32| at[n as usize].len() == 2 && !is_end[n as usize];
         // Chains between junctions and ends first; what is left are rings.
         let starts = (0..nodes.len() as u32).filter(|&n| !through(n));
         for first in starts.chain((0..nodes.len() as u32).filter(|&n| through(n))) {
@@ -319,6 +342,18 @@ mod tests {
         assert_eq!(ConduitNetwork::of(&features), network);
         let direct: f64 = edges.iter().map(|[a, b]| distance(place(*a), place(*b))).sum();
         assert!((network.length() - direct).abs() < 1e-9);
+    }
+
+    #[test]
+    fn conduits_end_where_they_must() {
+        // A ring 0-1-2-3 and a way 3-4-5; 1 and 4 lie along them.
+        let nodes: Vec<[f64; 3]> = (0..6).map(|k| [f64::from(k), f64::from(k * k % 5), 0.0]).collect();
+        let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [3, 4], [4, 5]];
+        let cut = ConduitNetwork::from_edges_with_ends(nodes, &edges, &[1, 4, 4], |_| Passage::default());
+        let mut ends: Vec<[u32; 2]> = cut.conduits.iter().map(|c| [c.nodes[0], c.nodes[c.nodes.len() - 1]]).collect();
+        ends.sort_unstable();
+        assert_eq!(ends, [[1, 3], [1, 3], [3, 4], [4, 5]]);
+        assert_eq!(cut.edges().len(), edges.len());
     }
 
     #[test]

@@ -80,15 +80,34 @@ impl FeatureKind {
         }
     }
 
-    /// The stage that leaves features of this kind; none for those that are found on a surface.
+    /// Stages that leave features of this kind; none for those that are found on a surface.
     ///
     /// ```
     /// use landform_core::feature::FeatureKind;
     ///
-    /// assert!(FeatureKind::Conduit.left_by().is_some());
+    /// assert!(FeatureKind::Conduit.left_by().contains(&"karst_network"));
     /// ```
-    pub fn left_by(self) -> Option<&'static str> {
-        matches!(self, Self::Conduit | Self::Sinkhole | Self::Spring | Self::Entrance).then_some("karst_network")
+    pub fn left_by(self) -> &'static [&'static str] {
+        match self {
+            Self::Conduit | Self::Sinkhole | Self::Spring => &["karst_network", "cave"],
+            Self::Entrance => &["karst_network"],
+            _ => &[],
+        }
+    }
+
+    /// How to come by features of this kind.
+    ///
+    /// ```
+    /// use landform_core::feature::FeatureKind;
+    ///
+    /// assert_eq!(FeatureKind::River.remedy(), "`find_features` makes them");
+    /// ```
+    pub fn remedy(self) -> String {
+        match self.left_by() {
+            [] => "`find_features` makes them".into(),
+            [one] => format!("`{one}` makes them"),
+            [raster, body, ..] => format!("`{raster}` makes them under a raster, `{body}` in voxels"),
+        }
     }
 
     /// The kind that a word for several names: "rivers".
@@ -222,8 +241,7 @@ impl Features {
             return Ok(found);
         }
         let what = format!("the landscape has no {}s; {needed_by} needs some", kind.word());
-        let hint = Some(format!("`{}` makes them", kind.left_by().unwrap_or("find_features")));
-        Err(Error::Recipe { at: None, what, hint })
+        Err(Error::Recipe { at: None, what, hint: Some(kind.remedy()) })
     }
 
     /// Whether there are none.

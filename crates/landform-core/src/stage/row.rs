@@ -5,6 +5,7 @@ use std::any::Any;
 use serde_json::Value as Json;
 
 use super::parameters::{Parameters, Refusal, typed};
+use crate::feature::FeatureKind;
 use crate::sim::Model;
 use crate::terrain::{AnyTerrain, Kind, Representation};
 use crate::verb::{
@@ -62,6 +63,8 @@ pub struct Stage {
     pub inputs: &'static [&'static str],
     /// Whether it takes other landscapes.
     pub with: bool,
+    /// Kinds of features that the landscape must have.
+    pub needs: &'static [FeatureKind],
     /// Fields that a process changes.
     pub writes: &'static [&'static str],
     /// Keys of earlier recipes, and their names now.
@@ -85,6 +88,8 @@ pub struct Form {
     pub defaults: fn() -> Json,
     /// How far around a node the ground can affect the result there, with the default parameters.
     pub reach: fn() -> Reach,
+    /// Checks parameters against the extent of a map, m.
+    pub(super) check_on: fn(&dyn Any, [f64; 2]) -> Result<()>,
     /// Reads and validates.
     pub(super) read: fn(&Json) -> Result<Parameters, Refusal>,
 }
@@ -101,6 +106,7 @@ impl Form {
             },
             defaults: defaults_of::<P>,
             reach: || P::default().reach(),
+            check_on: |params, extent| typed::<P>(params)?.check_on(extent),
             read: |json| {
                 let params: P = serde_path_to_error::deserialize(json).map_err(Refusal::Shape)?;
                 params.validate().map_err(Refusal::Value)?;
@@ -231,9 +237,9 @@ pub const fn export<P: Export<T>, T: Representation>() -> Act {
 impl Stage {
     /// A row without acts.
     pub const fn new<P: Params>(verb: Verb, writes: &'static [&'static str]) -> Self {
-        let (name, sources, inputs, with) = (P::NAME, P::SOURCES, P::INPUTS, P::WITH);
+        let (name, sources, inputs, with, needs) = (P::NAME, P::SOURCES, P::INPUTS, P::WITH, P::NEEDS);
         let (renamed, obsolete) = (P::RENAMED, P::OBSOLETE);
-        Self { name, verb, sources, inputs, with, writes, renamed, obsolete, form: Form::of::<P>(), acts: &[] }
+        Self { name, verb, sources, inputs, with, needs, writes, renamed, obsolete, form: Form::of::<P>(), acts: &[] }
     }
 
     /// The act on a kind of terrain.

@@ -9,6 +9,7 @@ use serde_json::Value;
 
 use super::Reach;
 use crate::error::Range;
+use crate::feature::FeatureKind;
 use crate::{Error, Result};
 
 /// A published source of a method.
@@ -37,6 +38,8 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     const INPUTS: &'static [&'static str] = &[];
     /// Whether it takes other landscapes (`with = ["label"]`).
     const WITH: bool = false;
+    /// Kinds of features that the landscape must have, left by a stage before it.
+    const NEEDS: &'static [FeatureKind] = &[];
     /// Parameters that vary in space and may change in time as well.
     const IN_TIME: &'static [&'static str] = &[];
     /// Keys of earlier recipes, and their names now ("steps" → "iterations", "size" → "grid.size").
@@ -82,6 +85,15 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     /// # Errors
     /// If a parameter is wrong; the error names the first.
     fn check(&self) -> Result<()> {
+        Ok(())
+    }
+
+    /// Checks lengths against the extent of the map east and north, m. It is called before a run
+    /// where the extent is known then.
+    ///
+    /// # Errors
+    /// If a parameter does not fit the map; the error names the first.
+    fn check_on(&self, _extent: [f64; 2]) -> Result<()> {
         Ok(())
     }
 

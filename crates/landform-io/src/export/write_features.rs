@@ -107,7 +107,7 @@ impl<T: Rasterize> Export<T> for WriteFeatures {
         let missing = kinds.iter().copied().filter(|kind| known.of(*kind).next().is_none()).collect::<Vec<_>>();
         missing
             .iter()
-            .filter(|kind| kind.left_by().is_some())
+            .filter(|kind| !kind.left_by().is_empty())
             .try_for_each(|kind| known.need(*kind, &format!("`{}`", Self::NAME)).map(drop))?;
         let found = find_features(
             terrain,

@@ -29,6 +29,7 @@ impl Default for MeasureNetwork {
 
 impl Params for MeasureNetwork {
     const NAME: &'static str = "measure_network";
+    const NEEDS: &'static [FeatureKind] = &[FeatureKind::Conduit];
     const SOURCES: &'static [Source] = &[Source {
         authors: "Collon, Bernasconi, Vuilleumier & Renard (2017)",
         title: "Statistical metrics for the characterization of karst network geometry and topology, Geomorphology 283",

@@ -66,14 +66,11 @@ impl Params for FindFeatures {
         if self.features.contains(&FeatureWord::Contours) && self.levels.is_empty() {
             return Err(Error::parameter("levels", "[]", "at least one elevation for contours"));
         }
-        match self.features.iter().find_map(|word| Some((word, word.kind().left_by()?))) {
-            Some((word, stage)) => {
+        match self.features.iter().find(|word| !word.kind().left_by().is_empty()) {
+            Some(word) => {
                 let given = format!("\"{}s\"", word.kind().word());
-                Err(Error::parameter(
-                    "features",
-                    given,
-                    &format!("kinds that lie on the surface; `{stage}` leaves these"),
-                ))
+                let expected = format!("kinds that lie on the surface; {}", word.kind().remedy());
+                Err(Error::parameter("features", given, &expected))
             }
             None => Ok(()),
         }

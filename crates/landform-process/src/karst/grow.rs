@@ -1,11 +1,13 @@
 //! From keys to a network of conduits.
 
-use landform_core::Result;
-use landform_core::feature::{ConduitNetwork, Feature, FeatureKind, Features, Geometry, Passage, Property};
+use std::collections::{BTreeMap, BTreeSet};
+
+use landform_core::feature::{ConduitNetwork, Feature, FeatureKind, Features, Geometry, Passage, Property, adjacency};
 use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::Length;
 use landform_core::verb::{Context, Edit};
+use landform_core::{Error, Result};
 
 use super::keys::Keys;
 use super::rock::Rock;
@@ -44,16 +46,27 @@ impl KarstNetwork {
             keys.shafts.iter().zip(&reached).map(|(s, foot)| hang(&mut skeleton, s, *foot)).collect();
         let missing = wanted.saturating_sub(cycles(&skeleton));
         loops::close(&mut skeleton, missing, &rock, seed.named("loops"));
-        let fixed: Vec<u32> = springs.iter().chain(&sinkholes).copied().collect();
-        let bent = wander::wander(&skeleton, &fixed, self.tortuosity, &rock);
-        Ok(self.conduits(&bent, sinkholes, springs, &rock))
+        let feet = keys.shafts.len();
+        let fixed: Vec<u32> = springs.iter().chain(&sinkholes).chain(&reached[feet..]).copied().collect();
+        let bent = wander::wander(&skeleton, &fixed, self.tortuosity, &rock)?;
+        let ends = Ends { sinkholes, springs, waypoints: reached[feet..].to_vec() };
+        self.conduits(bent, ends, &rock)
     }
 
     /// Conduits, from where the water comes to where it goes, with their radii.
-    fn conduits(&self, bent: &Skeleton, sinkholes: Vec<u32>, springs: Vec<u32>, rock: &Rock<'_>) -> Grown {
-        let mut edges: Vec<[u32; 2]> = bent.edges.clone();
-        edges.retain(|[a, b]| bent.nodes[*a as usize] != bent.nodes[*b as usize]);
-        let mut network = ConduitNetwork::from_edges(bent.nodes.clone(), &edges, |_| Passage::default());
+    fn conduits(&self, bent: Skeleton, ends: Ends, rock: &Rock<'_>) -> Result<Grown> {
+        let Ends { sinkholes, springs, waypoints } = ends;
+        let (bent, number) = whole(bent, &springs, rock);
+        let [sinkholes, springs, waypoints] =
+            [sinkholes, springs, waypoints].map(|n| n.into_iter().map(|n| number[n as usize]).collect::<Vec<_>>());
+        for (name, nodes) in [("sinkholes", &sinkholes), ("waypoints", &waypoints)] {
+            let left = nodes.iter().filter(|n| **n == u32::MAX).count();
+            if left > 0 {
+                return Err(cut_off(name, left, nodes.len(), self.method));
+            }
+        }
+        let ends: Vec<u32> = sinkholes.iter().chain(&springs).copied().collect();
+        let mut network = ConduitNetwork::from_edges_with_ends(bent.nodes, &bent.edges, &ends, |_| Passage::default());
         let mut shares = radii::shares(&network, &sinkholes, &springs);
         let radii = radii::radii(&shares, self.radius.map(Length::si));
         for (k, conduit) in network.conduits.iter_mut().enumerate() {
@@ -65,7 +78,56 @@ impl KarstNetwork {
             }
         }
         let water = network.nodes.iter().map(|at| rock.water_table(*at)).collect();
-        Grown { network, sinkholes, springs, shares, water }
+        Ok(Grown { network, sinkholes, springs, shares, water })
+    }
+}
+
+/// Nodes of a skeleton at which water enters and leaves, and others that it must pass.
+struct Ends {
+    sinkholes: Vec<u32>,
+    springs: Vec<u32>,
+    waypoints: Vec<u32>,
+}
+
+/// The parts of a network that lie in the rock and hang together with a spring. Nodes at one place
+/// become one. Returns the new number of each node too, `u32::MAX` for those left out.
+fn whole(bent: Skeleton, springs: &[u32], rock: &Rock<'_>) -> (Skeleton, Vec<u32>) {
+    let mut known: BTreeMap<[u64; 3], u32> = BTreeMap::new();
+    let place = |at: &Vector| at.map(|v| (v + 0.0).to_bits());
+    let one: Vec<u32> = (0..).zip(&bent.nodes).map(|(k, at)| *known.entry(place(at)).or_insert(k)).collect();
+    let mut seen = BTreeSet::new();
+    let mut edges: Vec<[u32; 2]> = bent.edges.iter().map(|e| e.map(|n| one[n as usize])).collect();
+    edges.retain(|[a, b]| a != b && seen.insert([*a.min(b), *a.max(b)]));
+    let is_fit: Vec<bool> = bent.nodes.iter().map(|at| rock.is_in_rock(*at)).collect();
+    let is_clear = |[a, b]: [u32; 2]| {
+        let ends = [a, b].map(|n| n as usize);
+        ends.iter().all(|&n| is_fit[n]) && rock.is_clear(bent.nodes[ends[0]], bent.nodes[ends[1]], f64::INFINITY)
+    };
+    edges.retain(|e| is_clear(*e));
+    let joined = adjacency(bent.nodes.len(), &edges);
+    let mut number = vec![u32::MAX; bent.nodes.len()];
+    let mut stack: Vec<u32> = springs.iter().map(|s| one[*s as usize]).collect();
+    while let Some(node) = stack.pop() {
+        if number[node as usize] == u32::MAX {
+            number[node as usize] = node;
+            stack.extend(joined[node as usize].iter().filter(|n| number[**n as usize] == u32::MAX));
+        }
+    }
+    edges.retain(|[a, _]| number[*a as usize] != u32::MAX);
+    let number = one.iter().map(|n| number[*n as usize]).collect();
+    (Skeleton { nodes: bent.nodes, edges }, number)
+}
+
+/// That no way was found to some keys.
+fn cut_off(name: &str, left: usize, of: usize, method: Method) -> Error {
+    let other = match method {
+        Method::SpaceColonisation => "; `method` \"shortest_paths\" finds ways around more of them",
+        Method::ShortestPaths => ", or a shorter `step`",
+    };
+    Error::Recipe {
+        at: None,
+        what: format!("no way through the rock leads from the springs to {left} of {of} {name}"),
+        hint: Some(format!("`forbidden` spheres or nodata cut it off: give smaller ones or other places{other}")),
     }
 }
 

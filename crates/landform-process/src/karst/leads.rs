@@ -39,6 +39,10 @@ pub(super) fn add(skeleton: &mut Skeleton, count: usize, rock: &Rock<'_>, seed: 
             let at = skeleton.nodes[node as usize];
             heading = unit(plus(heading, [draws.uniform() - 0.5, draws.uniform() - 0.5, 0.0], 0.8));
             let to = rock.held(plus(at, rock.guided(at, heading), far / pieces));
+            // There is no room for more of it.
+            if !rock.is_in_rock(to) || !rock.is_clear(at, to, rock.step) {
+                break;
+            }
             node = skeleton.grow(node, to);
         }
     }

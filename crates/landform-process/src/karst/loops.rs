@@ -39,7 +39,8 @@ pub(super) fn close(skeleton: &mut Skeleton, count: usize, rock: &Rock<'_>, seed
             break;
         }
         let is_free = |n: u32| !taken.contains(&n) && joined[n as usize].len() < 3;
-        if is_free(a) && is_free(b) {
+        let [from, to] = [a, b].map(|n| skeleton.nodes[n as usize]);
+        if is_free(a) && is_free(b) && rock.is_clear(from, to, rock.step) {
             for n in [a, b] {
                 taken.insert(n);
                 taken.extend(&joined[n as usize]);
@@ -52,7 +53,9 @@ pub(super) fn close(skeleton: &mut Skeleton, count: usize, rock: &Rock<'_>, seed
 
 /// Ways along a forest.
 struct Ways {
-    parent: Vec<u32>,
+    /// Ancestors of each node: the next, the second, the fourth and so on; a root's is itself.
+    above: Vec<Vec<u32>>,
+    root: Vec<u32>,
     depth: Vec<u32>,
     /// Distance from the root, m.
     along: Vec<f64>,
@@ -61,18 +64,20 @@ struct Ways {
 impl Ways {
     fn of(skeleton: &Skeleton, joined: &[Vec<u32>]) -> Self {
         let n = skeleton.nodes.len();
-        let mut ways = Self { parent: vec![u32::MAX; n], depth: vec![u32::MAX; n], along: vec![0.0; n] };
+        let mut parent: Vec<u32> = (0..n as u32).collect();
+        let mut ways = Self { above: Vec::new(), root: vec![u32::MAX; n], depth: vec![0; n], along: vec![0.0; n] };
         for root in 0..n as u32 {
-            if ways.depth[root as usize] != u32::MAX {
+            if ways.root[root as usize] != u32::MAX {
                 continue;
             }
-            ways.depth[root as usize] = 0;
+            ways.root[root as usize] = root;
             let mut stack = vec![root];
             while let Some(v) = stack.pop() {
                 for &w in &joined[v as usize] {
-                    if ways.depth[w as usize] == u32::MAX {
+                    if ways.root[w as usize] == u32::MAX {
+                        ways.root[w as usize] = root;
                         ways.depth[w as usize] = ways.depth[v as usize] + 1;
-                        ways.parent[w as usize] = v;
+                        parent[w as usize] = v;
                         let leg = distance(skeleton.nodes[v as usize], skeleton.nodes[w as usize]);
                         ways.along[w as usize] = ways.along[v as usize] + leg;
                         stack.push(w);
@@ -80,21 +85,32 @@ impl Ways {
                 }
             }
         }
+        let deepest = ways.depth.iter().copied().max().unwrap_or(0);
+        ways.above.push(parent);
+        while deepest >> ways.above.len() > 0 {
+            let last = &ways.above[ways.above.len() - 1];
+            ways.above.push(last.iter().map(|&p| last[p as usize]).collect());
+        }
         ways
     }
 
     /// Distance along the tree, m; none between trees.
     fn between(&self, a: u32, b: u32) -> Option<f64> {
-        let (mut x, mut y) = (a, b);
-        while x != y {
-            if self.depth[x as usize] < self.depth[y as usize] {
-                std::mem::swap(&mut x, &mut y);
-            }
-            x = self.parent[x as usize];
-            if x == u32::MAX {
-                return None;
+        if self.root[a as usize] != self.root[b as usize] {
+            return None;
+        }
+        let depth = |n: u32| self.depth[n as usize];
+        let (mut x, mut y) = if depth(a) < depth(b) { (b, a) } else { (a, b) };
+        let lift = depth(x) - depth(y);
+        for (_, above) in self.above.iter().enumerate().filter(|(k, _)| lift >> k & 1 == 1) {
+            x = above[x as usize];
+        }
+        for above in self.above.iter().rev() {
+            if above[x as usize] != above[y as usize] {
+                (x, y) = (above[x as usize], above[y as usize]);
             }
         }
-        Some(self.along[a as usize] + self.along[b as usize] - 2.0 * self.along[x as usize])
+        let fork = if x == y { x } else { self.above[0][x as usize] };
+        Some(self.along[a as usize] + self.along[b as usize] - 2.0 * self.along[fork as usize])
     }
 }

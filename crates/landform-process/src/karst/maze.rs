@@ -1,7 +1,7 @@
 //! Mazes: nets of passages that fill a zone around the way from sinkholes to springs.
 
 use landform_core::algo::DisjointSets;
-use landform_core::{Result, math};
+use landform_core::{Error, Result, math};
 
 use super::keys::Keys;
 use super::near::Near;
@@ -26,7 +26,8 @@ pub(super) fn fill(skeleton: &mut Skeleton, keys: &Keys, rock: &Rock<'_>, preset
     let is_rectilinear = preset == Preset::RectilinearMaze;
     let reach = REACH[usize::from(!is_rectilinear)] * rock.step;
     let zone = Zone { near: Near::new(&trunk.nodes, reach), reach };
-    let mut ways = if is_rectilinear { net(&mut places, rock, &zone) } else { sponge(&mut places, rock, &zone) };
+    let mut ways = if is_rectilinear { net(&mut places, rock, &zone) } else { sponge(&mut places, rock, &zone)? };
+    ways.retain(|w| rock.is_clear(places[w.1 as usize], places[w.2 as usize], rock.step));
     // Keys hang on the place next to them.
     for key in 0..key_count {
         let far = |n: &usize| distance(places[*n], places[key]);
@@ -39,6 +40,9 @@ pub(super) fn fill(skeleton: &mut Skeleton, keys: &Keys, rock: &Rock<'_>, preset
     kept.into_iter().for_each(|[a, b]| skeleton.join(a, b, rock.step));
     Ok((first..key_count).map(|k| k as u32).collect())
 }
+
+/// More places than this are refused.
+const MOST_CELLS: u64 = 2_000_000;
 
 struct Zone<'a> {
     near: Near<'a>,
@@ -102,14 +106,22 @@ fn net(places: &mut Vec<Vector>, rock: &Rock<'_>, zone: &Zone<'_>) -> Vec<Way> {
 }
 
 /// Places at random in space, and the ways between those that have no third one between them.
-fn sponge(places: &mut Vec<Vector>, rock: &Rock<'_>, zone: &Zone<'_>) -> Vec<Way> {
+///
+/// # Errors
+/// [`Error::Parameter`] for too many places.
+fn sponge(places: &mut Vec<Vector>, rock: &Rock<'_>, zone: &Zone<'_>) -> Result<Vec<Way>> {
     let (first, gap) = (places.len(), 2.5 * rock.step);
     let seed = rock.seed.named("sponge");
     let deepest = rock.springs.iter().map(|s| s.1).fold(f64::INFINITY, f64::min) - rock.depth - gap;
     let highest = rock.springs.iter().map(|s| s.1).fold(f64::NEG_INFINITY, f64::max) + 0.5 * gap;
-    let counts = [0, 1].map(|k| ((rock.bounds[1][k] - rock.bounds[0][k]) / gap).ceil() as u64);
+    let counts = [0, 1].map(|k| ((rock.bounds[1][k] - rock.bounds[0][k]) / gap).ceil().max(1.0) as u64);
     let levels = (2.0 * (highest - deepest) / gap).ceil().clamp(1.0, 64.0) as u64;
-    for i in 0..counts[0] * counts[1] * levels {
+    let cells = counts[0] * counts[1] * levels;
+    if cells > MOST_CELLS {
+        let given = format!("{} m: {cells} places", rock.step);
+        return Err(Error::parameter("step", given, &format!("steps that make at most {MOST_CELLS}; try longer ones")));
+    }
+    for i in 0..cells {
         let cell = [i % counts[0], i / counts[0] % counts[1], i / (counts[0] * counts[1])];
         let part = [0, 1, 2].map(|k| cell[k] as f64 + seed.uniform(3 * i + k as u64));
         let [x, y] = [0, 1].map(|k| rock.bounds[0][k] + gap * part[k]);
@@ -130,7 +142,7 @@ fn sponge(places: &mut Vec<Vector>, rock: &Rock<'_>, zone: &Zone<'_>) -> Vec<Way
             }
         }
     }
-    ways
+    Ok(ways)
 }
 
 /// A tree of the ways, in random order, and a share of the others. Parts without a key are left

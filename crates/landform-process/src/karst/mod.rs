@@ -8,15 +8,11 @@
 //! between passages that lie near each other and far apart along the network; radii follow from the
 //! water that each passage carries: at a junction r³ is the sum of those of the passages that join.
 //!
-//! # Limits
-//! Where a spring lies inside a conduit rather than at its end, as when a blind passage has grown
-//! past it, the water finds no outlet: shares of water are then far above 1 and radii are wrong.
-//! This happens on the ground of recipe `karst_network`.
-//!
 //! # Checked by
-//! `tests`: every sinkhole reaches a spring, no passage leaves the rock, radii at junctions,
-//! azimuths of fractures, distance to beds against a control, length against the distance of
-//! samples, same bytes on any number of threads, and statistics against natural networks.
+//! `tests`: every sinkhole reaches a spring, no passage leaves the rock or enters a forbidden
+//! sphere, shares of water and radii at junctions and springs, azimuths of fractures, distance to
+//! beds against a control, length against the distance of samples, same bytes on any number of
+//! threads, and statistics against natural networks.
 //!
 //! ```
 //! use landform_core::feature::{ConduitNetwork, FeatureKind};

@@ -18,15 +18,13 @@ use super::space::{Skeleton, Vector, between, distance};
 
 /// Power of the cost where none is given.
 const GAMMA: f64 = 2.0;
-/// More keys than this are refused: all pairs of them are compared over all others.
-const MOST_KEYS: usize = 400;
 /// More places than this are refused.
 const MOST_PLACES: f64 = 200_000.0;
 
 /// Finds the network. Returns the node of each of the keys' ends.
 ///
 /// # Errors
-/// [`Error::Parameter`] for too many keys or places.
+/// [`Error::Parameter`] for too many places.
 pub(super) fn shortest(
     skeleton: &mut Skeleton,
     keys: &Keys,
@@ -38,11 +36,6 @@ pub(super) fn shortest(
     let mut places = skeleton.nodes.clone();
     places.extend(keys.ends());
     let count = places.len();
-    if count > MOST_KEYS {
-        let expected =
-            format!("few enough that they, springs and dead ends are at most {MOST_KEYS} with shortest paths");
-        return Err(Error::parameter("sinkholes", format!("{count} places in all"), &expected));
-    }
     scatter(&mut places, rock)?;
     let ways = Ways::new(&places, rock);
     let found: Vec<Search> = parallel::map(count, |key| ways.from(key as u32));
@@ -76,7 +69,7 @@ pub(super) fn shortest(
         let ends = [a, b].map(|n| *number.entry(n).or_insert_with(|| skeleton.node(places[n as usize])));
         skeleton.edges.push(ends);
     }
-    smooth(skeleton, count);
+    smooth(skeleton, count, rock);
     Ok((springs..count).map(|k| k as u32).collect())
 }
 
@@ -139,6 +132,7 @@ impl Ways {
         let of = |i: usize| {
             let others = near.within(places[i], reach).into_iter().filter(|&j| j as usize != i);
             others
+                .filter(|&j| rock.is_clear(places[i], places[j as usize], rock.step))
                 .map(|j| {
                     // The same either way.
                     let (a, b) = (i.min(j as usize), i.max(j as usize));
@@ -188,14 +182,17 @@ impl Ways {
 }
 
 /// Takes the corners off passages between forks; the first `keys` nodes stay.
-fn smooth(skeleton: &mut Skeleton, keys: usize) {
+fn smooth(skeleton: &mut Skeleton, keys: usize, rock: &Rock<'_>) {
     let joined = skeleton.joined();
     for _ in 0..3 {
         let before = skeleton.nodes.clone();
         for (i, others) in joined.iter().enumerate().skip(keys) {
             if let [a, b] = others[..] {
                 let middle = between(before[a as usize], before[b as usize], 0.5);
-                skeleton.nodes[i] = between(before[i], middle, 0.5);
+                let to = between(before[i], middle, 0.5);
+                if [a, b].iter().all(|n| rock.is_clear(to, skeleton.nodes[*n as usize], rock.step)) {
+                    skeleton.nodes[i] = to;
+                }
             }
         }
     }

@@ -2,17 +2,18 @@
 
 use std::collections::BTreeSet;
 
+use landform_core::feature::{FeatureKind, Features};
 use landform_core::field::names;
-use landform_core::stage::Verb;
+use landform_core::stage::{Stage, Verb};
 use landform_core::terrain::Materials;
 use landform_core::{Error, Result};
 use serde_json::Value as Json;
 
 use super::entry::Entry;
 
-/// Names that a landscape may have.
+/// Names that a landscape may have, and stages that may have left it features.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Known(BTreeSet<String>);
+pub(super) struct Known(BTreeSet<String>, BTreeSet<&'static str>);
 
 impl Known {
     /// How many there are, elevations and layers left out.
@@ -34,6 +35,11 @@ impl Known {
     pub(super) fn pass(&mut self, entry: &Entry, materials: &Materials) -> Result<()> {
         if entry.work.verb() == Verb::Generate {
             self.0.clear();
+            self.1.clear();
+        }
+        for part in entry.work.parts() {
+            self.need_features(part.stage())?;
+            self.1.insert(part.stage().name);
         }
         // Processes on one clock may read what the others leave.
         let leaves: Vec<&str> = entry.work.parts().iter().flat_map(|part| part.leaves()).collect();
@@ -50,6 +56,17 @@ impl Known {
         }
         self.0.extend(leaves.into_iter().map(String::from));
         Ok(())
+    }
+}
+
+impl Known {
+    /// Refuses a stage that needs features that no stage before it leaves.
+    fn need_features(&self, stage: &Stage) -> Result<()> {
+        let is_left = |kind: &FeatureKind| kind.left_by().iter().any(|by| self.1.contains(by));
+        match stage.needs.iter().find(|kind| !is_left(kind)) {
+            Some(kind) => Features::default().need(*kind, &format!("`{}`", stage.name)).map(drop),
+            None => Ok(()),
+        }
     }
 }
 

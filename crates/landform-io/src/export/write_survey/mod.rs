@@ -37,6 +37,7 @@ impl Default for WriteSurvey {
 
 impl Params for WriteSurvey {
     const NAME: &'static str = "write_survey";
+    const NEEDS: &'static [FeatureKind] = &[FeatureKind::Conduit];
     const SOURCES: &'static [Source] = &[];
 
     fn bytes_a_node(&self) -> Option<u64> {

@@ -86,6 +86,7 @@ const MOST_VOXELS: f64 = 4e9;
 
 impl Params for Tunnels {
     const NAME: &'static str = "tunnels";
+    const NEEDS: &'static [FeatureKind] = &[FeatureKind::Conduit];
     const SOURCES: &'static [Source] = &[Source {
         authors: "Palmer (1991)",
         title: "Origin and morphology of limestone caves, GSA Bulletin 103",
@@ -163,6 +164,12 @@ impl Convert<HeightField, VoxelGrid> for Tunnels {
                 ground.empty(piece.bounds(), |at| piece.holds(at));
             }
         }
+        let walls = network.conduits.iter().flat_map(|c| &c.passages);
+        let widest = walls.fold(0.0_f64, |w, p| w.max(p.width()).max(p.height()));
+        if self.cell_size.si() > widest && !has_roof(&ground) {
+            let expected = format!("finer cells: no passage of these has a roof; the widest is {widest:.1} m wide");
+            return Err(Error::parameter("cell_size", self.cell_size, &expected));
+        }
         *ground.features_mut() = source.features().clone();
         Ok(ground)
     }
@@ -176,6 +183,14 @@ impl Convert<HeightField, VoxelGrid> for Tunnels {
             (source.nodes * 60).saturating_add(nodes.saturating_mul(2)).saturating_add(columns.saturating_mul(8));
         Estimate { nodes, columns, bytes, ..source }
     }
+}
+
+/// Whether an empty voxel lies under a solid one.
+fn has_roof(ground: &VoxelGrid) -> bool {
+    (1..ground.levels()).any(|level| {
+        (0..ground.plan().len())
+            .any(|node| ground.material(level - 1, node).is_none() && ground.material(level, node).is_some())
+    })
 }
 
 /// For each conduit how deep its places lie under the water table, m, where that is known.
@@ -235,6 +250,9 @@ mod tests {
         assert!(error.hint().is_some_and(|h| h.contains("karst_network")), "{error}");
         let fine = Tunnels { cell_size: Length::of(0.01), ..Tunnels::default() };
         assert!(fine.convert(&ground(2.0)).unwrap_err().to_string().contains("voxels"));
+        let coarse = Tunnels { cell_size: Length::of(100.0), ..Tunnels::default() };
+        let error = coarse.convert(&ground(2.0)).unwrap_err().to_string();
+        assert!(error.contains("`cell_size`") && error.contains("4.0 m wide"), "{error}");
         let rivers = Around { feature: FeatureWord::Rivers, ..Around::default() };
         assert!(Tunnels { around: rivers, ..Tunnels::default() }.check().is_err());
     }
