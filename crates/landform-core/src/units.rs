@@ -294,8 +294,14 @@ impl<D: Dimension> fmt::Debug for Quantity<D> {
 
 impl<D: Dimension> fmt::Display for Quantity<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", short(self.value()), D::UNIT)
+        write!(f, "{} {}", number_text(short(self.value())), D::UNIT)
     }
+}
+
+/// A number as people write it: with an exponent where it has more digits than they would read.
+pub(crate) fn number_text(value: f64) -> String {
+    let is_plain = value == 0.0 || !value.is_finite() || (1e-15..1e15).contains(&value.abs());
+    if is_plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The value without the noise that division by a unit leaves in the last digits.
@@ -356,6 +362,15 @@ impl<D: Dimension> JsonSchema for Quantity<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_of_many_digits_are_written_with_an_exponent() {
+        assert_eq!(Length::of(1e308).to_string(), "1e308 m");
+        assert_eq!(Length::of(-2.5e-300).to_string(), "-2.5e-300 m");
+        assert_eq!(Length::of(120_000.0).to_string(), "120000 m");
+        assert_eq!(Erodibility::of(5.6e-7).to_string(), "0.00000056 1/yr");
+        assert_eq!(Length::parse(&Length::of(1e308).to_string()).unwrap(), Length::of(1e308));
+    }
 
     #[test]
     fn quantities_are_read_with_their_units() {

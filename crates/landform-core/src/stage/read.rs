@@ -8,6 +8,7 @@ use serde_json::Value as Json;
 use super::parameters::{Parameters, Refusal};
 use super::row::{Act, Run, Stage};
 use crate::terrain::{AnyTerrain, HeightField, Kind, Terrain, bytes_a_node};
+use crate::units::number_text;
 use crate::verb::{Context, ELEVATIONS, Estimate, Landscape, Output, OwnClock, Params, Reach, coarser};
 use crate::{Error, Result};
 
@@ -73,7 +74,8 @@ impl ReadStage {
         match self.parameters.places.iter().find(|(_, [x, y])| !(w..=e).contains(x) || !(s..=n).contains(y)) {
             Some((name, [x, y])) => {
                 let allowed = format!("a place on the map, {w:.0} to {e:.0} m east and {s:.0} to {n:.0} m north");
-                Err(Error::parameter(name, format!("{x:.0}, {y:.0} m"), &allowed))
+                let [x, y] = [x, y].map(|v| number_text(v.round()));
+                Err(Error::parameter(name, format!("{x}, {y} m"), &allowed))
             }
             None => Ok(()),
         }
