@@ -303,10 +303,11 @@ impl<D: Dimension> fmt::Display for Quantity<D> {
 /// ```
 /// use landform_core::units::number_text;
 ///
-/// assert_eq!([1250.5, 1e308].map(number_text), ["1250.5", "1e308"]);
+/// assert_eq!([1250.5, 1e308, 1e-300].map(number_text), ["1250.5", "1e308", "1e-300"]);
 /// ```
 pub fn number_text(value: f64) -> String {
-    if value.is_finite() && value.abs() >= 1e15 { format!("{value:e}") } else { format!("{value}") }
+    let is_plain = value == 0.0 || !value.is_finite() || (1e-15..1e15).contains(&value.abs());
+    if is_plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The value without the noise that division by a unit leaves in the last digits.
@@ -367,6 +368,15 @@ impl<D: Dimension> JsonSchema for Quantity<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_of_many_digits_are_written_with_an_exponent() {
+        assert_eq!(Length::of(1e308).to_string(), "1e308 m");
+        assert_eq!(Length::of(-2.5e-300).to_string(), "-2.5e-300 m");
+        assert_eq!(Length::of(120_000.0).to_string(), "120000 m");
+        assert_eq!(Erodibility::of(5.6e-7).to_string(), "0.00000056 1/yr");
+        assert_eq!(Length::parse(&Length::of(1e308).to_string()).unwrap(), Length::of(1e308));
+    }
 
     #[test]
     fn quantities_are_read_with_their_units() {

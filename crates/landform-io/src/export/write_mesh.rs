@@ -45,9 +45,9 @@ pub struct WriteMesh {
     /// printing. If not given, only the surface is written.
     #[schemars(extend("x-above" = 0.0))]
     pub solid_base: Option<Length>,
-    /// Voxels only: rounds that smooth their steps; bodies shrink a little. No point moves by more
-    /// than half a voxel along an axis, and those on the sides of the box stay in them. 0 keeps the
-    /// faces of voxels, and encloses their volume exactly.
+    /// Voxels only: rounds that smooth their steps and keep the volume of each body. No point moves
+    /// by more than half a voxel along an axis, and those on the sides of the box stay in them. 0
+    /// keeps the faces of voxels.
     #[schemars(extend("x-min" = 0, "x-max" = 100))]
     pub smoothing: u32,
 }
@@ -134,9 +134,12 @@ impl Export<Mesh> for WriteMesh {
 
 impl Export<VoxelGrid> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, VoxelGrid>, out: &mut dyn Output) -> Result<()> {
-        let given = if self.surface == MeshSurface::Water { Some("surface") } else { None };
-        if let Some(name) = given.or(self.solid_base.map(|_| "solid_base")) {
-            return Err(Error::parameter(name, "given for voxels", "nothing: voxels are closed all around"));
+        if self.surface == MeshSurface::Water {
+            return Err(Error::parameter("surface", "\"water\" on voxels", "\"ground\" or \"cave\""));
+        }
+        if let Some(base) = self.solid_base {
+            let expected = "none: voxels are closed all around";
+            return Err(Error::parameter("solid_base", format!("{base} for voxels"), expected));
         }
         if self.surface == MeshSurface::Cave {
             let mesh = mesh_file_of_cave(landscape.terrain, self.smoothing);

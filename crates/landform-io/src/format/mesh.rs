@@ -2,11 +2,13 @@
 
 use std::collections::HashSet;
 
-use landform_core::algo::polygonise::{Quads, polygonise};
+use landform_core::algo::polygonise::polygonise;
 use landform_core::analysis::cave::cave_voxels;
 use landform_core::field::names;
 use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, VoxelGrid, mesh_parts_from_height_field};
 use landform_core::{Error, Result};
+
+use super::smooth::smooth;
 
 /// Points and triangles, z up, metres, counter-clockwise seen from above.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,33 +73,6 @@ pub(crate) fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32) -> MeshFile {
         }));
     }
     MeshFile { points, triangles, middle: None }
-}
-
-/// Vertices of voxels' faces, each moved towards the mean of its neighbours, but not out of the
-/// sides of the box.
-fn smooth(quads: &Quads, size: [usize; 3], rounds: u32) -> Vec<[f64; 3]> {
-    let home: Vec<[f64; 3]> = quads.vertices.iter().map(|v| v.map(f64::from)).collect();
-    let mut points = home.clone();
-    for _ in 0..rounds {
-        let mut sums = vec![([0.0; 3], 0.0); points.len()];
-        for face in &quads.faces {
-            for k in 0..4 {
-                let (sum, count) = &mut sums[face[k] as usize];
-                let next = points[face[(k + 1) % 4] as usize];
-                (0..3).for_each(|axis| sum[axis] += next[axis]);
-                *count += 1.0;
-            }
-        }
-        let moved = |i: usize, axis: usize| {
-            if home[i][axis] == 0.0 || home[i][axis] == size[axis] as f64 {
-                return home[i][axis];
-            }
-            let mean = sums[i].0[axis] / sums[i].1;
-            mean.clamp(home[i][axis] - 0.5, home[i][axis] + 0.5)
-        };
-        points = (0..points.len()).map(|i| std::array::from_fn(|axis| moved(i, axis))).collect();
-    }
-    points
 }
 
 /// Two triangles a cell of a raster; holes stay open.

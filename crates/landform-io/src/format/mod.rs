@@ -37,6 +37,7 @@ mod raw16;
 mod reading;
 mod said;
 mod sidecar;
+mod smooth;
 mod stl;
 mod system;
 mod systems;

@@ -44,6 +44,8 @@ struct Body {
 
 /// Bound of the walls.
 const WALL: f64 = 0.36;
+/// Most steps of a ray along a side of the block.
+const MOST_STEPS: f64 = 4096.0;
 
 impl Body {
     fn new(ground: &VoxelGrid) -> Self {
@@ -118,7 +120,9 @@ impl Body {
 
     /// Where a ray first meets a passage, between two distances.
     fn hit(&self, from: Vector, way: Vector, [mut t, end]: [f64; 2]) -> Option<f64> {
-        let step = self.side[0].min(self.side[1]).min(self.side[2]);
+        // Flat voxels of a wide block would make steps without end.
+        let widest = (0..3).map(|k| self.size[k] as f64 * self.side[k]).fold(0.0, f64::max);
+        let step = self.side[0].min(self.side[1]).min(self.side[2]).max(widest / MOST_STEPS);
         let mut before = t;
         while t < end {
             let p = along(from, way, t);

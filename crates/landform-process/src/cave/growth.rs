@@ -15,6 +15,9 @@
 //! - Dissolution: `f = (w_a f_a + f_c)^m`, with `f_c` the water that came and `f_a` the mean over
 //!   the 26 neighbours of what came to those of lower pressure, times the permeability up to 4;
 //!   porosity grows by `min(w_0 f s, 1 − P)`, s the solubility.
+//! - A voxel opens only beside one that open voxels join to an inlet. Water that has seeped through
+//!   the pores of rock is saturated and widens them up to that bound, no further (the thesis opens
+//!   voids that no passage leads to).
 
 use landform_core::algo::lattice::{Lattice, NEIGHBOURS, lower};
 use landform_core::math;
@@ -79,6 +82,9 @@ pub(super) struct Growth<'a> {
     gifts: Vec<(u32, u32, u32)>,
     aside: Vec<u32>,
     beside: Vec<u32>,
+    /// Open voxels that hang together with an inlet, and all that may open: those beside them.
+    joined: Vec<bool>,
+    may_open: Vec<bool>,
 }
 
 impl<'a> Growth<'a> {
@@ -125,7 +131,16 @@ impl<'a> Growth<'a> {
             gifts: Vec::new(),
             aside: vec![0; n],
             beside: Vec::new(),
+            joined: vec![false; n],
+            may_open: vec![false; n],
         };
+        for k in 0..growth.inlets.len() {
+            let inlet = growth.inlets[k];
+            growth.may_open[inlet] = true;
+            if growth.rock.porosity[inlet] > growth.law.open {
+                growth.join(inlet);
+            }
+        }
         growth.outlets.iter().for_each(|&i| growth.pressure[i] = 0);
         lower(lattice, &mut growth.pressure, &growth.slopes, &channels);
         growth
@@ -139,10 +154,28 @@ impl<'a> Growth<'a> {
         self.drain();
         let opened = self.dissolve();
         opened.iter().for_each(|&i| self.slopes[i] = self.law.rates[1]);
+        // After all of them: what opened in this iteration leads on in the next.
+        opened.iter().for_each(|&i| self.join(i));
         if !opened.is_empty() {
             lower(self.lattice, &mut self.pressure, &self.slopes, &opened);
         }
         opened
+    }
+
+    /// Joins an open voxel, and all open ones behind it, to an inlet.
+    fn join(&mut self, first: usize) {
+        let mut queue = vec![first];
+        while let Some(i) = queue.pop() {
+            if std::mem::replace(&mut self.joined[i], true) {
+                continue;
+            }
+            for to in self.lattice.neighbours(i) {
+                self.may_open[to] = true;
+                if self.rock.porosity[to] > self.law.open {
+                    queue.push(to);
+                }
+            }
+        }
     }
 
     /// Inlets are filled.
@@ -269,7 +302,8 @@ impl<'a> Growth<'a> {
         let f = math::pow(self.law.aside * aside + came, self.law.exponent);
         let more = (self.law.dissolution * f * f64::from(self.rock.solubility[i]) * f64::from(ONE)) as u32;
         let before = self.rock.porosity[i];
-        let after = before.saturating_add(more).min(ONE);
+        let most = if before > self.law.open || self.may_open[i] { ONE } else { self.law.open };
+        let after = before.saturating_add(more).min(most);
         self.rock.porosity[i] = after;
         if before <= self.law.open && after > self.law.open {
             opened.push(i);
@@ -327,6 +361,24 @@ mod tests {
         let same = |values: &[u32]| lattice.voxels().all(|i| values[i] == values[mirror(i)]);
         assert!(same(&growth.pressure) && same(&growth.water) && same(&growth.rock.porosity));
         assert!(growth.budget.drained > 0 && growth.rock.porosity.iter().any(|p| *p > ONE / 2));
+    }
+
+    #[test]
+    fn all_that_opens_hangs_together_with_an_inlet() {
+        let lattice = Lattice::new([40, 30, 10], [1.0; 3]);
+        let tile = |[x, y, z]: [usize; 3]| 0.3 + ((x * 7 + y * 3 + z * 5) % 11) as f32 * 0.5;
+        let ends = [vec![lattice.at([2, 8, 8]), lattice.at([3, 24, 7])], vec![lattice.at([39, 14, 1])]];
+        let none = vec![false; lattice.stored()];
+        let growth = grown(&lattice, rock(&lattice, 0.1, tile), ends.clone(), &none, 300);
+        let open: Vec<bool> = growth.rock.porosity.iter().map(|p| *p > ONE / 2).collect();
+        assert!(open.iter().filter(|o| **o).count() > 50);
+        let mut reached = vec![false; open.len()];
+        let mut queue = ends[0].clone();
+        while let Some(i) = queue.pop() {
+            reached[i] = true;
+            queue.extend(lattice.neighbours(i).filter(|&to| open[to] && !reached[to]));
+        }
+        assert!(lattice.voxels().all(|i| reached[i] || !open[i]), "a void that water has no way to");
     }
 
     #[test]

@@ -32,7 +32,7 @@ use landform_core::algo::lattice::Lattice;
 use landform_core::analysis::cave::centreline;
 use landform_core::feature::{Feature, FeatureKind, Features, Geometry, Property};
 use landform_core::terrain::VoxelGrid;
-use landform_core::units::Ratio;
+use landform_core::units::{Length, Ratio};
 use landform_core::verb::{Context, Edit, Estimate, Params, Source};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
@@ -122,6 +122,12 @@ impl Params for Cave {
         [VoxelGrid::POROSITY, VoxelGrid::PRESSURE, PROTOCHANNEL].map(String::from).to_vec()
     }
 
+    fn places(&self) -> Vec<(&'static str, [f64; 2])> {
+        let of = |name, [x, y, _]: [Length; 3]| (name, [x.si(), y.si()]);
+        let outlets = self.outlets.iter().filter_map(|o| o.at).map(|at| of("outlets.at", at));
+        self.inlets.iter().map(|i| of("inlets.at", i.at)).chain(outlets).collect()
+    }
+
     fn check(&self) -> Result<()> {
         if self.inlets.len() > 250 {
             return Err(Error::parameter("inlets", self.inlets.len(), "at most 250"));
@@ -129,10 +135,7 @@ impl Params for Cave {
         if let Some(inlet) = self.inlets.iter().find(|i| !(i.pressure > 0.0 && i.pressure.is_finite())) {
             return Err(Error::parameter("inlets.pressure", inlet.pressure, "more than 0"));
         }
-        if self.outlets.iter().any(|o| o.side.is_some() == o.at.is_some()) {
-            return Err(Error::parameter("outlets", "both or none of `side` and `at`", "one of them for each"));
-        }
-        Ok(())
+        self.outlets.iter().try_for_each(OutletParams::check)
     }
 }
 
@@ -164,10 +167,27 @@ impl Cave {
             outlets.push(low.map(|place| lattice.at(place)).collect());
         }
         let is_both = |i: &usize| outlets.iter().any(|o| o.contains(i));
-        if inlets.iter().any(|inlet| inlet.0.iter().any(&is_both)) {
-            return Err(Error::parameter("inlets", "a place that is an outlet too", "places apart from the outlets"));
+        match inlets.iter().position(|inlet| inlet.0.iter().any(&is_both)) {
+            Some(number) => Err(self.meets_an_outlet(number, lattice)),
+            None => Ok(Ends { inlets, outlets }),
         }
-        Ok(Ends { inlets, outlets })
+    }
+
+    /// That an inlet holds a voxel of an outlet.
+    fn meets_an_outlet(&self, number: usize, lattice: &Lattice) -> Error {
+        let expected = "a place apart from the outlets";
+        match self.inlets.get(number).map(|inlet| inlet.radius) {
+            Some(Some(radius)) => {
+                let given = format!("{radius} for inlet {}, within which an outlet lies", number + 1);
+                Error::parameter("inlets.radius", given, "a radius that does not reach the outlets")
+            }
+            Some(None) => Error::parameter("inlets", "a place that is an outlet too", expected),
+            None => {
+                let [nx, ny, nz] = lattice.size();
+                let given = format!("not given, in a block of {nx} x {ny} x {nz} voxels, where an outlet is");
+                Error::parameter("inlets", given, &format!("{expected}, or a larger block"))
+            }
+        }
     }
 
     fn law(&self, unit: f64) -> Law {
@@ -213,7 +233,7 @@ impl Edit<VoxelGrid> for Cave {
         let seed = context.seed.named("protochannels");
         let wanted = Wanted { count: self.protochannels, clustered: self.clustered.si(), seed };
         let channel = protochannels(&lattice, &rock, &zone, &ends.inlets, &all_outlets, &wanted);
-        let pressures: Vec<u32> = ends.inlets.iter().map(|i| (i.1 * unit) as u32).collect();
+        let pressures: Vec<u32> = ends.inlets.iter().map(|i| (i.1 * unit).max(1.0) as u32).collect();
         let lowest = pressures.iter().copied().min().unwrap_or(ONE);
         let of_zone = |z: u8| match z {
             0 => 0,
@@ -290,7 +310,6 @@ fn marks(ground: &VoxelGrid, lattice: &Lattice, ends: &Ends, found: &[Option<Bre
 #[cfg(test)]
 mod tests {
     use landform_core::grid::Side;
-    use landform_core::units::Length;
     use landform_core::verb::Generator;
 
     use super::*;
@@ -357,6 +376,32 @@ mod tests {
         let outlets = vec![OutletParams { side: Some(Side::West), ..OutletParams::default() }];
         let same = Cave { inlets: vec![place(0.5)], outlets, ..Cave::default() };
         assert!(same.edit(&mut ground, &Context::default()).unwrap_err().to_string().contains("outlet too"));
+        let wide = InletParams { radius: Some(Length::of(20.0)), ..place(2.0) };
+        let wide = Cave { inlets: vec![wide], ..Cave::default() };
+        assert!(
+            wide.edit(&mut ground, &Context::default()).unwrap_err().to_string().contains("`inlets.radius` is 20 m")
+        );
+        let mut tiny = rock(r#"{"grid":{"size":["1 m","1 m","1 m"],"cell_size":"1 m"}}"#);
+        let told = Cave::default().edit(&mut tiny, &Context::default()).unwrap_err().to_string();
+        assert!(told.contains("not given, in a block of 1 x 1 x 1 voxels"), "{told}");
+        // A plan knows them before a run.
+        assert_eq!(Cave { inlets: vec![place(50.0)], ..Cave::default() }.places(), [("inlets.at", [50.0, 2.0])]);
+    }
+
+    #[test]
+    fn outlets_whose_numbers_contradict_each_other_are_told_by_name() {
+        let told = |text: &str| {
+            let outlets = vec![serde_json::from_str(text).unwrap()];
+            Cave { outlets, ..Cave::default() }.validate().unwrap_err().to_string()
+        };
+        assert!(told(r#"{"side":"east","along":[0.7,0.2]}"#).starts_with("parameter `outlets.along` is [0.7, 0.2]"));
+        assert!(told(r#"{"side":"east","below":"2 m","above":"6 m"}"#).starts_with("parameter `outlets.below` is 2 m"));
+        assert!(told(r#"{"side":"east","radius":"2 m"}"#).starts_with("parameter `outlets.radius` is 2 m"));
+        assert!(told(r#"{"side":"east","at":["1 m","1 m","1 m"]}"#).contains("one of them"));
+        let mut ground = rock(r#"{"grid":{"size":["10 m","8 m","6 m"],"cell_size":"1 m"}}"#);
+        let outlets = vec![serde_json::from_str(r#"{"side":"east","along":[0.51,0.52]}"#).unwrap()];
+        let narrow = Cave { outlets, ..Cave::default() }.edit(&mut ground, &Context::default());
+        assert!(narrow.unwrap_err().to_string().contains("between two voxels"));
     }
 
     #[test]

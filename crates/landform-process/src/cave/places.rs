@@ -96,6 +96,26 @@ impl InletParams {
 }
 
 impl OutletParams {
+    /// Refuses numbers that contradict each other.
+    pub(super) fn check(&self) -> Result<()> {
+        if self.side.is_some() == self.at.is_some() {
+            return Err(Error::parameter("outlets", "both or none of `side` and `at`", "one of them for each"));
+        }
+        if let (Some(_), Some(radius)) = (self.side, self.radius) {
+            return Err(Error::parameter("outlets.radius", format!("{radius} with a `side`"), "no radius, or `at`"));
+        }
+        if let Some([from, to]) = self.along.filter(|[from, to]| !(from < to)) {
+            let given = format!("[{from}, {to}]");
+            return Err(Error::parameter("outlets.along", given, "[from, to], of which the first is less"));
+        }
+        match (self.below, self.above) {
+            (Some(below), Some(above)) if !(above.si() < below.si()) => {
+                Err(Error::parameter("outlets.below", below, &format!("more than `above`, which is {above}")))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Its voxels.
     pub(super) fn voxels(&self, ground: &VoxelGrid, lattice: &Lattice) -> Result<Vec<usize>> {
         let Bounds { low, high } = ground.bounding_box();
@@ -114,7 +134,7 @@ impl OutletParams {
                 };
                 lattice.voxels().filter(|&i| on(lattice.place(i))).collect()
             }
-            _ => return Err(Error::parameter("outlets", "both or none of `side` and `at`", "one of them")),
+            _ => Vec::new(),
         };
         let axis = usize::from(matches!(self.side, Some(Side::West | Side::East)));
         voxels.retain(|&i| {
@@ -124,10 +144,18 @@ impl OutletParams {
                 && self.above.is_none_or(|z| m[2] > z.si())
                 && self.along.is_none_or(|[from, to]| from <= along && along <= to)
         });
-        if voxels.is_empty() {
-            let expected = format!("voxels at elevations from {} to {} m", low[2], high[2]);
-            return Err(Error::parameter("outlets", "a part of the rock without voxels", &expected));
+        if !voxels.is_empty() {
+            return Ok(voxels);
         }
-        Ok(voxels)
+        let half = 0.5 * ground.height();
+        let is_off =
+            self.below.is_some_and(|z| z.si() <= low[2] + half) || self.above.is_some_and(|z| z.si() >= high[2] - half);
+        Err(if is_off {
+            let expected =
+                format!("elevations of voxels, whose middles lie from {} to {} m", low[2] + half, high[2] - half);
+            Error::parameter("outlets", "`below` or `above` without a voxel", &expected)
+        } else {
+            Error::parameter("outlets", "a part that lies between two voxels", "a part that holds the middle of one")
+        })
     }
 }

@@ -66,7 +66,7 @@ pub(super) fn protochannels(
     let sources: Vec<usize> = inlets.iter().flat_map(|i| i.0.iter().copied()).collect();
     sinks.retain(|i| !sources.contains(i));
     let capacity = capacities(lattice, rock, &sources, &sinks);
-    let flow = MaxFlow::between(lattice, &capacity, zones, &sources, &sinks);
+    let flow = MaxFlow::widest_first(lattice, &capacity, zones, &sources, &sinks);
     follow_back(lattice, &flow, &sources, &sinks)
 }
 

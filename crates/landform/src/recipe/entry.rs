@@ -283,7 +283,14 @@ impl EntryReader<'_> {
             s.verb == Verb::Convert
                 && s.act_on(Some(kind)).and_then(|a| a.to).is_some_and(|to| found.kinds().any(|k| k == to))
         };
-        let hint = stages().find(leads).map(|s| format!("put `{}` before it", s.name));
+        let made = |s: &&Stage| {
+            s.verb == Verb::Generate && s.acts.iter().any(|a| a.to.is_some_and(|to| found.kinds().any(|k| k == to)))
+        };
+        // Where few generators make what is wanted, they are told.
+        let makers: Vec<_> = stages().filter(made).map(|s| format!("`{}`", s.name)).collect();
+        let begin = if makers.len() <= 2 { makers.join(" or ") } else { String::new() };
+        let begin = if begin.is_empty() { begin } else { format!(", or begin with {begin}") };
+        let hint = stages().find(leads).map(|s| format!("put `{}` before it{begin}", s.name));
         let supports: Vec<_> = found.kinds().map(Kind::name).collect();
         let what = format!("`{name}` does not work on a {kind}; it works on a {}", supports.join(" or a "));
         Err(self.error(span, what, hint))

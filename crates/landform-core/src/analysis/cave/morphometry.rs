@@ -109,7 +109,7 @@ pub struct Morphometry {
 /// Measures the cave in some ground; `radius` is that of the optimised field, m. None if there is
 /// no cave.
 ///
-/// **Cost** O(voxels), and O(plan · radius²).
+/// **Cost** O(voxels), and at most O(plan · rows within the radius).
 ///
 /// ```
 /// use landform_core::analysis::cave::morphometry;
@@ -186,30 +186,38 @@ fn fields(lattice: &Lattice, voxels: &[usize], radius: f64) -> [f64; 2] {
         plan[y * nx + x] = true;
         (low, high) = ([low[0].min(x), low[1].min(y)], [high[0].max(x), high[1].max(y)]);
     }
-    let cells: Vec<[isize; 2]> = {
-        let (rx, ry) = ((radius / dx) as isize, (radius / dy) as isize);
-        let all = (-ry..=ry).flat_map(|y| (-rx..=rx).map(move |x| [x, y]));
-        let is_in = |[x, y]: &[isize; 2]| {
-            let d = [*x as f64 * dx, *y as f64 * dy];
+    // How far along its row the plan is from each cell; the way there is then down a column.
+    let aside: Vec<f64> = (0..nx * ny).map(|_| f64::INFINITY).collect();
+    let aside = (0..ny).fold(aside, |mut aside, y| {
+        let row = y * nx..(y + 1) * nx;
+        nearest_along(&plan[row.clone()], &mut aside[row], dx);
+        aside
+    });
+    let reach = ((radius / dy).min(ny as f64)) as usize;
+    let is_near = |x: usize, y: usize| {
+        (y.saturating_sub(reach).max(low[1])..=(y + reach).min(high[1])).any(|other| {
+            let d = [aside[other * nx + x], y.abs_diff(other) as f64 * dy];
             d[0] * d[0] + d[1] * d[1] <= radius * radius
-        };
-        all.filter(is_in).collect()
+        })
     };
-    let mut near = vec![false; nx * ny];
-    for at in (0..nx * ny).filter(|&at| plan[at]) {
-        for [x, y] in &cells {
-            let place = [(at % nx).checked_add_signed(*x), (at / nx).checked_add_signed(*y)];
-            if let [Some(x), Some(y)] = place
-                && (low[0]..=high[0]).contains(&x)
-                && (low[1]..=high[1]).contains(&y)
-            {
-                near[y * nx + x] = true;
-            }
-        }
-    }
+    let cells = (low[1]..=high[1]).flat_map(|y| (low[0]..=high[0]).map(move |x| (x, y)));
     let cell = dx * dy;
     let rectangle = ((high[0] + 1 - low[0]) * (high[1] + 1 - low[1])) as f64 * cell;
-    [rectangle, near.iter().filter(|v| **v).count() as f64 * cell]
+    [rectangle, cells.filter(|&(x, y)| is_near(x, y)).count() as f64 * cell]
+}
+
+/// Distances to the nearest of the marked cells of a row, m.
+fn nearest_along(marked: &[bool], out: &mut [f64], step: f64) {
+    let n = marked.len();
+    let mut sweep = |cells: &mut dyn Iterator<Item = usize>| {
+        let mut since = f64::INFINITY;
+        for i in cells {
+            since = if marked[i] { 0.0 } else { since + 1.0 };
+            out[i] = out[i].min(since * step);
+        }
+    };
+    sweep(&mut (0..n));
+    sweep(&mut (0..n).rev());
 }
 
 /// A measure and its range.
@@ -303,6 +311,20 @@ mod tests {
         assert!((found.width_m - 5.0).abs() < 0.7, "{}", found.width_m);
         assert!((found.rectangular.porosity_percent - 100.0).abs() < 1e-9);
         assert_eq!((found.pieces, found.loops, found.euler), (1, 0, 1));
+    }
+
+    #[test]
+    fn a_field_beyond_the_block_is_its_rectangle() {
+        let mut ground = passage([4.6, 9.6, 1.0], [54.4, 14.4, 2.9]);
+        ground.empty(Bounds { low: [20.0, 2.0, 3.5], high: [23.0, 27.0, 5.4] }, |_| true);
+        for radius in [100.0, 2e7, 1e300] {
+            let found = morphometry(&ground, radius).unwrap();
+            assert_eq!(found.optimised.field_m2, found.rectangular.field_m2);
+        }
+        // A radius of less than a cell is the plan itself.
+        let is_open = |node: &usize| (0..ground.levels()).any(|level| ground.material(level, *node).is_none());
+        let plan = (0..ground.plan().len()).filter(is_open).count();
+        assert_eq!(morphometry(&ground, 0.5).unwrap().optimised.field_m2, plan as f64);
     }
 
     #[test]

@@ -48,6 +48,35 @@ pub struct VoxelGrid {
 }
 
 impl VoxelGrid {
+    /// How many voxels its underside and top may lie from z = 0: files of meshes and pictures tell
+    /// places apart to a sixteenth of a voxel there.
+    ///
+    /// ```
+    /// // 1048 km for voxels of 1 m.
+    /// assert_eq!(landform_core::terrain::VoxelGrid::FARTHEST, 1_048_576.0);
+    /// ```
+    pub const FARTHEST: f64 = 1_048_576.0;
+
+    /// Refuses elevations so far from z = 0 that voxels of `height` m are lost in rounding.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for more than [`VoxelGrid::FARTHEST`] voxels.
+    ///
+    /// ```
+    /// use landform_core::terrain::VoxelGrid;
+    ///
+    /// assert!(VoxelGrid::check_span(1e5, 20, 1.0).is_ok());
+    /// assert!(VoxelGrid::check_span(1e8, 20, 1.0).is_err());
+    /// ```
+    pub fn check_span(bottom: f64, levels: usize, height: f64) -> Result<()> {
+        let far = bottom.abs().max((bottom + levels as f64 * height).abs());
+        if far <= Self::FARTHEST * height {
+            return Ok(());
+        }
+        let allowed = format!("at most {} m from z = 0, a million voxels of {height} m", Self::FARTHEST * height);
+        Err(Error::parameter("bottom", format!("{bottom:?} m, and the top {far:?} m from z = 0"), &allowed))
+    }
+
     /// Voxels of `height` m in `levels` above the elevation `bottom` (m), one column over each node
     /// of `plan`. `material(level, node)` is the number of a voxel's material in the table; none
     /// where it is empty.
@@ -55,8 +84,8 @@ impl VoxelGrid {
     /// **Cost** O(voxels).
     ///
     /// # Errors
-    /// [`Error::Parameter`] without levels, for a height that is not positive, or for a number that
-    /// is not in the table.
+    /// [`Error::Parameter`] without levels, for a height that is not positive, for elevations of
+    /// more than [`VoxelGrid::FARTHEST`] voxels, or for a number that is not in the table.
     pub fn from_fn(
         plan: Grid,
         levels: usize,
@@ -69,6 +98,7 @@ impl VoxelGrid {
             let given = format!("{levels} levels of {height} m from {bottom} m");
             return Err(Error::parameter("levels", given, "at least one level of a positive height"));
         }
+        Self::check_span(bottom, levels, height)?;
         let nodes = plan.len();
         let Some(count) = nodes.checked_mul(levels).filter(|n| *n < u32::MAX as usize) else {
             return Err(Error::parameter("levels", format!("{levels} over {nodes} nodes"), "fewer than 2^32 voxels"));

@@ -139,11 +139,12 @@ impl BlockParams {
         let (size, cell) = (self.size.map(Length::si), self.cell_size.si());
         let whole = size.map(|s| (s / cell).round().max(1.0));
         let count = whole.iter().product::<f64>();
-        if !(cell > 0.0 && size.iter().all(|s| *s > 0.0) && count.is_finite()) {
-            return Err(Error::parameter("grid.size", format!("{size:?} m in voxels of {cell} m"), "more than 0 m"));
+        if !(cell > 0.0 && size.iter().all(|s| *s >= 0.5 * cell)) {
+            let given = format!("{size:?} m in voxels of {cell:?} m");
+            return Err(Error::parameter("grid.size", given, "at least one voxel each way"));
         }
         if count >= f64::from(u32::MAX) {
-            let given = format!("{cell} m: {count:.3e} voxels");
+            let given = format!("{cell:?} m: {count:.3e} voxels");
             return Err(Error::parameter("grid.cell_size", given, "fewer than 4.29e9 voxels in all"));
         }
         Ok((whole.map(|n| n as usize), [0, 1, 2].map(|k| size[k] / whole[k])))
@@ -159,14 +160,20 @@ impl Params for RockVolume {
     }
 
     fn check(&self) -> Result<()> {
-        if let Some(bed) = self.beds.iter().find(|b| !(b.thickness.si() > 0.0)) {
-            return Err(Error::parameter("beds", format!("a bed of {}", bed.thickness), "beds thicker than 0 m"));
+        let ([_, _, nz], [dx, dy, dz]) = self.grid.voxels()?;
+        VoxelGrid::check_span(self.bottom.si(), nz, dz)?;
+        // Shorter ones are lost in voxels, and in rounding.
+        let least = 1e-3 * dx.min(dy).min(dz);
+        let beds = self.beds.iter().map(|b| ("beds.thickness", b.thickness));
+        let spacings = self.fractures.iter().map(|f| ("fractures.spacing", f.spacing));
+        let lengths = beds.chain(spacings).chain(self.variation_length.map(|l| ("variation_length", l)));
+        match lengths.into_iter().find(|(_, length)| !(length.si() >= least)) {
+            Some((name, given)) => {
+                let expected = format!("at least {} (a thousandth of a voxel)", Length::of(least));
+                Err(Error::parameter(name, given, &expected))
+            }
+            None => Ok(()),
         }
-        let wrong = |f: &&FractureParams| !(f.spacing.si() > 0.0) || !(f.permeability > 0.0);
-        if self.fractures.iter().any(|f| wrong(&f)) {
-            return Err(Error::parameter("fractures", "a spacing or permeability of 0", "numbers above 0"));
-        }
-        self.grid.voxels().map(drop)
     }
 }
 
@@ -334,6 +341,24 @@ mod tests {
         // A plane of one voxel every nine metres, thicker by its direction.
         assert!((0.08..0.16).contains(&share), "{share}");
         assert!(wide.iter().all(|k| *k == 4.0 || *k == 1.0));
+    }
+
+    #[test]
+    fn lengths_that_voxels_cannot_tell_apart_are_refused() {
+        let error = |text: &str| serde_json::from_str::<RockVolume>(text).unwrap().validate().unwrap_err().to_string();
+        for (text, name) in [
+            (r#"{"bottom":"1e8 m"}"#, "`bottom`"),
+            (r#"{"bottom":"-1e308 m"}"#, "`bottom`"),
+            (r#"{"variation_length":"1e-308 m"}"#, "`variation_length`"),
+            (r#"{"beds":[{"material":"marl","thickness":"1e-9 m"}]}"#, "`beds.thickness`"),
+            (r#"{"fractures":[{"dip_direction":"0 deg","dip":"90 deg","spacing":"1e-300 m"}]}"#, "`fractures.spacing`"),
+            (r#"{"grid":{"size":["1e-9 m","20 m","20 m"],"cell_size":"1 m"}}"#, "`grid.size`"),
+        ] {
+            let told = error(text);
+            assert!(told.contains(name) && told.len() < 200, "{told}");
+        }
+        let short = rock(r#"{"grid":{"size":["4 m","4 m","4 m"],"cell_size":"1 m"},"variation_length":"0.001 m"}"#);
+        assert!(short.field("permeability").unwrap().iter().all(|k| k.is_finite()));
     }
 
     #[test]
