@@ -47,7 +47,7 @@ impl Quads {
     }
 
     /// Places of the vertices, middles excepted, as surface nets: each in the mean of the middles
-    /// of its faces, on the lattice of corners. Parts that touch along an edge lie apart then.
+    /// of its faces, in voxels. Parts that touch along an edge lie apart then.
     ///
     /// ```
     /// use landform_core::algo::polygonise::polygonise;
@@ -70,9 +70,9 @@ impl Quads {
         sums.into_iter().map(|(sum, count)| sum.map(|v| v / count)).collect()
     }
 
-    /// Places of all vertices, as [`Quads::points`], of a surface whose vertices have moved off the
-    /// corners: those in the middle of edges lie towards their own faces, so that two edges with
-    /// the same ends are apart.
+    /// Places of all vertices (in voxels), as [`Quads::points`], of a surface whose vertices have
+    /// moved off the corners: those in the middle of edges lie towards their own faces, so that two
+    /// edges with the same ends are apart.
     ///
     /// ```
     /// use landform_core::algo::polygonise::polygonise;

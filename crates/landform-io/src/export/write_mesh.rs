@@ -29,6 +29,12 @@ pub enum MeshSurface {
 }
 
 /// How the surface of voxels is made.
+///
+/// ```
+/// use landform_io::export::{VoxelSurface, WriteMesh};
+///
+/// assert_eq!(WriteMesh::default().voxels, VoxelSurface::Faces);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum VoxelSurface {
