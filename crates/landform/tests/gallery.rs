@@ -266,6 +266,9 @@ const SMALL: &[(&str, &[&str])] = &[
     ("limestone_cave", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
     ("karst_network", &["surface.cell_size=20 m", "tunnels.cell_size=16 m", "write_picture.size=160"]),
     ("linked_inlets", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
+    ("three_inlets", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
+    ("fractured_cave", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
+    ("trunk_cave", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
     ("cuestas", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
 ];
 

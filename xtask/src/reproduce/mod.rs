@@ -2,6 +2,8 @@
 //! its numbers.
 
 mod bell;
+mod cave_numbers;
+mod caves;
 mod pytel;
 mod rivers;
 mod self_organised;
@@ -16,6 +18,7 @@ const THESES: &[(&str, &str)] = &[
     ("pytel-dunes", "Pytel's dunes: docs/pytel/dunes.md"),
     ("pytel-coasts", "Pytel's coasts: docs/pytel/coasts.md"),
     ("pytel-rivers", "Pytel's rivers and two-stage terrains: docs/pytel/rivers.md"),
+    ("pytel-caves", "Pytel's caves: docs/pytel/caves.md"),
     ("koh-dunes", "Koh's dunes: docs/koh/README.md"),
     ("koh-streams", "Koh's streams: docs/koh/streams.md"),
 ];
@@ -41,6 +44,7 @@ pub(crate) fn run(which: &[String]) -> bool {
             "pytel-dunes" => self_organised::run(&root, &self_organised::PYTEL_DUNES),
             "pytel-coasts" => self_organised::run(&root, &self_organised::PYTEL_COASTS),
             "pytel-rivers" => self_organised::run(&root, &rivers::PYTEL_RIVERS),
+            "pytel-caves" => self_organised::run(&root, &caves::PYTEL_CAVES),
             "koh-streams" => self_organised::run(&root, &rivers::KOH_STREAMS),
             _ => self_organised::run(&root, &self_organised::KOH_DUNES),
         };

@@ -155,6 +155,9 @@ impl Figure {
 fn numbers(m: &Json) -> String {
     let v = |key: &str| m[key].as_f64().unwrap_or(f64::NAN);
     let at = |path: &str| m.pointer(path).and_then(Json::as_f64).unwrap_or(f64::NAN);
+    if let Some(text) = super::cave_numbers::numbers(m) {
+        return text;
+    }
     if m["integral"].is_number() {
         let class = m["class"].as_str().unwrap_or("–");
         return format!("hypsometric integral {:.2}, skew {:.2}: {class}", v("integral"), v("elevation_skew"));

@@ -8,9 +8,13 @@
 //! point of the lattice without being joined get vertices of their own. Where two edges still have
 //! the same ends, a vertex in the middle of each parts them.
 //!
+//! The same faces are those of manifold surface nets (Gibson 1998; Schaefer, Ju & Warren 2007):
+//! a cell between eight voxels has a vertex for each part of the surface in it, in the mean of the
+//! places where that part crosses the ways between voxels ([`Quads::nets`]).
+//!
 //! # Checked by
 //! `tests`: edges, fans of faces around vertices and the enclosed volume on random voxels and on
-//! voxels that touch at edges and corners.
+//! voxels that touch at edges and corners; edges of nets told by places alone, as files have them.
 
 use std::collections::BTreeMap;
 
@@ -42,6 +46,55 @@ impl Quads {
         places
     }
 
+    /// Places of the vertices, middles excepted, as surface nets: each in the mean of the middles
+    /// of its faces, in voxels. Parts that touch along an edge lie apart then.
+    ///
+    /// ```
+    /// use landform_core::algo::polygonise::polygonise;
+    ///
+    /// // The corners of a cube move towards its middle; those of a wall stay in it.
+    /// let cube = polygonise([1, 1, 1], |_| true);
+    /// assert!(cube.nets().iter().all(|p| p.iter().all(|v| (v - 0.5).abs() < 0.17)));
+    /// ```
+    pub fn nets(&self) -> Vec<[f64; 3]> {
+        let home: Vec<[f64; 3]> = self.vertices.iter().map(|v| v.map(f64::from)).collect();
+        let mut sums = vec![([0.0; 3], 0.0); home.len()];
+        for face in &self.faces {
+            let middle = middle_of(face, &home);
+            for v in face {
+                let (sum, count) = &mut sums[*v as usize];
+                (0..3).for_each(|k| sum[k] += middle[k]);
+                *count += 1.0;
+            }
+        }
+        sums.into_iter().map(|(sum, count)| sum.map(|v| v / count)).collect()
+    }
+
+    /// Places of all vertices (in voxels), as [`Quads::points`], of a surface whose vertices have
+    /// moved off the corners: those in the middle of edges lie towards their own faces, so that two
+    /// edges with the same ends are apart.
+    ///
+    /// ```
+    /// use landform_core::algo::polygonise::polygonise;
+    ///
+    /// let cube = polygonise([1, 1, 1], |_| true);
+    /// assert_eq!(cube.points_apart(cube.nets()).len(), 8);
+    /// ```
+    pub fn points_apart(&self, places: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+        let mut beside = vec![([0.0; 3], 0.0); self.middles.len()];
+        for (&(face, _), &middle) in &self.split {
+            let (sum, count) = &mut beside[middle as usize - self.vertices.len()];
+            let of_face = middle_of(&self.faces[face as usize], &places);
+            (0..3).for_each(|k| sum[k] += of_face[k]);
+            *count += 1.0;
+        }
+        let mut points = self.points(places);
+        for (point, (sum, count)) in points[self.vertices.len()..].iter_mut().zip(beside) {
+            *point = [0, 1, 2].map(|k| 0.5 * (point[k] + sum[k] / count));
+        }
+        points
+    }
+
     /// The faces as triangles.
     pub fn triangles(&self) -> Vec<[u32; 3]> {
         let mut triangles = Vec::with_capacity(2 * self.faces.len());
@@ -61,6 +114,11 @@ impl Quads {
         }
         triangles
     }
+}
+
+/// The mean of the corners of a face.
+fn middle_of(face: &[u32; 4], places: &[[f64; 3]]) -> [f64; 3] {
+    [0, 1, 2].map(|k| face.iter().map(|v| places[*v as usize][k]).sum::<f64>() / 4.0)
 }
 
 /// The surface of the solid voxels of a box; beyond it all is empty. Axes are right-handed.
@@ -293,6 +351,24 @@ mod tests {
         let quads = polygonise([3, 3, 3], |at| at != [1, 1, 1]);
         assert!((enclosed(&quads) - 26.0).abs() < 1e-12);
         assert_eq!(quads.vertices.len() as i64 - quads.faces.len() as i64, 4, "V - E + F of two spheres, with E = 2 F");
+    }
+
+    #[test]
+    fn nets_have_two_triangles_at_every_edge_though_files_tell_points_by_their_place() {
+        for share in [0.1, 0.35, 0.5, 0.8] {
+            let solid = |[x, y, z]: [usize; 3]| Seed(7).uniform(((z * 7 + y) * 9 + x) as u64) < share;
+            let quads = polygonise([9, 7, 8], solid);
+            let points = quads.points_apart(quads.nets());
+            assert!(enclosed(&quads) > 0.0);
+            let bits = |v: u32| points[v as usize].map(|c| (c as f32).to_bits());
+            let mut edges = BTreeMap::new();
+            for t in quads.triangles() {
+                for [a, b] in [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]] {
+                    *edges.entry([bits(a).min(bits(b)), bits(a).max(bits(b))]).or_insert(0) += 1;
+                }
+            }
+            assert!(edges.values().all(|n| *n == 2), "{share}");
+        }
     }
 
     #[test]

@@ -20,6 +20,20 @@ pub struct Image {
 
 /// Reads maps. Core opens no file; the program that runs a recipe reads them.
 pub trait Maps: Send + Sync {
+    /// The bytes of a file, for what reads them itself.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if the file cannot be read, or there are no files.
+    ///
+    /// ```
+    /// use landform_core::verb::{Maps, NoMaps};
+    ///
+    /// assert!(NoMaps.bytes("cave.npy".as_ref()).is_err());
+    /// ```
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>> {
+        Err(Error::io("read", path, std::io::ErrorKind::NotFound.into()))
+    }
+
     /// Reads a picture as grey.
     ///
     /// # Errors

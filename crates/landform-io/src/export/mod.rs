@@ -34,7 +34,7 @@ pub use write_contours::WriteContours;
 pub use write_features::WriteFeatures;
 pub use write_heightmap::{Preset, WriteHeightmap};
 pub use write_maps::WriteMaps;
-pub use write_mesh::{MeshSurface, WriteMesh};
+pub use write_mesh::{MeshSurface, VoxelSurface, WriteMesh};
 pub use write_picture::{ViewKind, WritePicture};
 pub use write_povray::WritePovray;
 pub use write_raster::WriteRaster;

@@ -28,6 +28,23 @@ pub enum MeshSurface {
     Cave,
 }
 
+/// How the surface of voxels is made.
+///
+/// ```
+/// use landform_io::export::{VoxelSurface, WriteMesh};
+///
+/// assert_eq!(WriteMesh::default().voxels, VoxelSurface::Faces);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum VoxelSurface {
+    /// The faces of voxels, which enclose their volume exactly.
+    #[default]
+    Faces,
+    /// Manifold surface nets: edges are chamfered, and parts that touch along an edge lie apart.
+    SurfaceNets,
+}
+
 /// Water shallower than this is left out of its sheet, m.
 const SHALLOWEST: f64 = 0.1;
 
@@ -50,11 +67,21 @@ pub struct WriteMesh {
     /// keeps the faces of voxels.
     #[schemars(extend("x-min" = 0, "x-max" = 100))]
     pub smoothing: u32,
+    /// Voxels only: "faces", as they are; or "surface_nets", with a vertex between voxels for each
+    /// part of the surface there, so that every edge has two triangles in files without numbered
+    /// points too.
+    pub voxels: VoxelSurface,
 }
 
 impl Default for WriteMesh {
     fn default() -> Self {
-        Self { path: "terrain.glb".into(), surface: MeshSurface::Ground, solid_base: None, smoothing: 0 }
+        Self {
+            path: "terrain.glb".into(),
+            surface: MeshSurface::Ground,
+            solid_base: None,
+            smoothing: 0,
+            voxels: VoxelSurface::Faces,
+        }
     }
 }
 
@@ -84,8 +111,15 @@ impl Params for WriteMesh {
 }
 
 impl WriteMesh {
+    fn nets(&self) -> bool {
+        self.voxels == VoxelSurface::SurfaceNets
+    }
+
     /// A surface with one elevation a node has no steps.
     fn check_surface(&self) -> Result<()> {
+        if self.nets() {
+            return Err(Error::parameter("voxels", "\"surface_nets\" for a surface without voxels", "\"faces\""));
+        }
         match self.smoothing {
             0 => Ok(()),
             given => {
@@ -142,13 +176,13 @@ impl Export<VoxelGrid> for WriteMesh {
             return Err(Error::parameter("solid_base", format!("{base} for voxels"), expected));
         }
         if self.surface == MeshSurface::Cave {
-            let mesh = mesh_file_of_cave(landscape.terrain, self.smoothing);
+            let mesh = mesh_file_of_cave(landscape.terrain, self.smoothing, self.nets());
             return if mesh.triangles.is_empty() { Err(no_cave()) } else { self.write(mesh, out) };
         }
         if landscape.terrain.solids() == 0 {
             return Err(nothing_solid());
         }
-        self.write(mesh_file_from_voxels(landscape.terrain, self.smoothing), out)
+        self.write(mesh_file_from_voxels(landscape.terrain, self.smoothing, self.nets()), out)
     }
 }
 

@@ -1,8 +1,8 @@
-//! The voxels as a volume: VTK image data, or a NumPy array.
+//! The voxels as a volume: VTK image data, NRRD, or a NumPy array.
 //!
 //! # Sources
 //! VTK file formats, "XML file formats": image data, cell data, appended raw. NumPy enhancement
-//! proposal 1.
+//! proposal 1. Kindlmann, *Definition of NRRD File Format*.
 
 use landform_core::terrain::{Bounds, Ground, VoxelGrid};
 use landform_core::verb::{Export, Landscape, Output, Params, Source, check_path};
@@ -11,9 +11,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
+use crate::format::write_nrrd;
+
 /// Writes the values of voxels; the extension sets the format: vti (VTK image data, for ParaView;
-/// x east, y north, z up) or npy (one field, indexed by level from the underside, row from the
-/// north, column from the west, with its size and place in a JSON file beside it).
+/// x east, y north, z up), nrrd (one field, the same axes) or npy (one field, indexed by level from
+/// the underside, row from the north, column from the west, with its size and place in a JSON file
+/// beside it). `volume_file` reads them.
 ///
 /// ```
 /// assert_eq!(landform_io::export::WriteVolume::default().field, "rock");
@@ -57,6 +60,12 @@ impl Values<'_> {
     }
 }
 
+/// Voxels in rows from the south; ours run from the north.
+fn from_the_south([nx, ny, nz]: [usize; 3]) -> impl Iterator<Item = usize> {
+    let rows = (0..nz).flat_map(move |z| (0..ny).rev().map(move |y| (z * ny + y) * nx));
+    rows.flat_map(move |first| first..first + nx)
+}
+
 impl Params for WriteVolume {
     const NAME: &'static str = "write_volume";
     const SOURCES: &'static [Source] = &[];
@@ -71,9 +80,9 @@ impl Params for WriteVolume {
     }
 
     fn check(&self) -> Result<()> {
-        check_path(&self.path, &["vti", "npy"])?;
-        if self.is_npy() && self.field == "rock" {
-            let expected = "one field for an array, such as \"porosity\" or \"material\"";
+        check_path(&self.path, &["vti", "npy", "nrrd"])?;
+        if (self.is_npy() || self.is_nrrd()) && self.field == "rock" {
+            let expected = "one field, such as \"porosity\" or \"material\"; a .vti holds all";
             return Err(Error::parameter("field", "\"rock\", which is all of them", expected));
         }
         Ok(())
@@ -83,6 +92,19 @@ impl Params for WriteVolume {
 impl WriteVolume {
     fn is_npy(&self) -> bool {
         self.path.to_lowercase().ends_with(".npy")
+    }
+
+    fn is_nrrd(&self) -> bool {
+        self.path.to_lowercase().ends_with(".nrrd")
+    }
+
+    fn nrrd(&self, ground: &VoxelGrid) -> Result<Vec<u8>> {
+        let values = Self::values(ground, &self.field)?;
+        let kind = if matches!(values, Values::Bytes(_)) { "uint8" } else { "float" };
+        let (shape, [dx, dy]) = (ground.plan().shape, ground.plan().spacing);
+        let size = [shape.cols, shape.rows, ground.levels()];
+        let place = [ground.bounding_box().low, [dx, dy, ground.height()]];
+        Ok(write_nrrd(kind, &self.field, size, place, &values.bytes(from_the_south(size))))
     }
 
     fn values<'a>(ground: &'a VoxelGrid, name: &str) -> Result<Values<'a>> {
@@ -107,9 +129,7 @@ impl WriteVolume {
         let (mut arrays, mut data) = (String::new(), Vec::new());
         for name in names {
             let values = Self::values(ground, name)?;
-            // Rows run from the north, VTK's from the south.
-            let order = (0..nz).flat_map(|z| (0..ny).rev().map(move |y| (z * ny + y) * nx));
-            let bytes = values.bytes(order.flat_map(|first| first..first + nx));
+            let bytes = values.bytes(from_the_south([nx, ny, nz]));
             let [kind, _] = values.kinds();
             arrays += &format!(
                 "        <DataArray type=\"{kind}\" Name=\"{name}\" format=\"appended\" offset=\"{}\"/>\n",
@@ -149,6 +169,9 @@ impl WriteVolume {
 impl Export<VoxelGrid> for WriteVolume {
     fn export(&self, landscape: &Landscape<'_, VoxelGrid>, out: &mut dyn Output) -> Result<()> {
         let ground = landscape.terrain;
+        if self.is_nrrd() {
+            return out.put(&self.path, &self.nrrd(ground)?);
+        }
         if !self.is_npy() {
             return out.put(&self.path, &self.vti(ground)?);
         }
@@ -170,17 +193,28 @@ impl Export<VoxelGrid> for WriteVolume {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+    use std::path::Path;
+    use std::sync::Arc;
+
     use landform_core::grid::{Grid, Shape};
-    use landform_core::terrain::Materials;
-    use landform_core::verb::MemoryOutput;
+    use landform_core::terrain::{HeightField, Materials};
+    use landform_core::units::Ratio;
+    use landform_core::verb::{Context, Generator, Image, Maps, MemoryOutput, NoMaps};
 
     use super::*;
+    use crate::import::VolumeFileParams;
 
-    fn written(path: &str, field: &str) -> Result<Vec<u8>> {
+    fn rock() -> Result<VoxelGrid> {
         let plan = Grid::new(Shape::new(2, 3), [2.0, 2.0])?;
         let mut ground =
             VoxelGrid::from_fn(plan, 2, 10.0, 1.0, &Materials::default(), |l, n| (l + n != 0).then_some(3))?;
         ground.set_field("porosity", (0..12).map(|i| i as f32).collect())?;
+        Ok(ground)
+    }
+
+    fn written(path: &str, field: &str) -> Result<Vec<u8>> {
+        let ground = rock()?;
         let write = WriteVolume { path: path.into(), field: field.into() };
         write.check()?;
         let mut out = MemoryOutput::default();
@@ -208,6 +242,75 @@ mod tests {
         assert!(file.starts_with(b"\x93NUMPY\x01\x00") && file.len() == 128 + 48);
         assert!(String::from_utf8_lossy(&file[..128]).contains("'<f4', 'fortran_order': False, 'shape': (2, 2, 3)"));
         assert_eq!(file[128 + 44..], 11_f32.to_le_bytes());
+    }
+
+    /// Files by name.
+    struct Files(BTreeMap<String, Vec<u8>>);
+
+    impl Maps for Files {
+        fn bytes(&self, path: &Path) -> Result<Vec<u8>> {
+            let found = self.0.get(&path.to_string_lossy().into_owned()).cloned();
+            found.ok_or_else(|| Error::io("read", path, std::io::ErrorKind::NotFound.into()))
+        }
+        fn image(&self, path: &Path) -> Result<Image> {
+            NoMaps.image(path)
+        }
+        fn raster(&self, path: &Path) -> Result<Arc<HeightField>> {
+            NoMaps.raster(path)
+        }
+    }
+
+    fn read(path: &str, files: BTreeMap<String, Vec<u8>>, empty_above: Option<Ratio>) -> Result<VoxelGrid> {
+        let params = VolumeFileParams { path: path.into(), empty_above, ..VolumeFileParams::default() };
+        let context = Context { maps: &Files(files), ..Context::default() };
+        params.estimate(&context)?;
+        params.generate(&context)
+    }
+
+    fn files(path: &str, field: &str) -> BTreeMap<String, Vec<u8>> {
+        let mut out = MemoryOutput::default();
+        let write = WriteVolume { path: path.into(), field: field.into() };
+        write.export(&Landscape::plain(&rock().unwrap()), &mut out).unwrap();
+        out.0.into_iter().collect()
+    }
+
+    #[test]
+    fn volumes_are_read_as_they_were_written() {
+        assert_eq!(read("a.vti", files("a.vti", "rock"), None).unwrap(), rock().unwrap());
+        for path in ["a.nrrd", "a.npy"] {
+            let materials = read(path, files(path, "material"), None).unwrap();
+            assert_eq!((materials.solids(), materials.bounding_box()), (11, rock().unwrap().bounding_box()), "{path}");
+            assert_eq!(materials.material(0, 0), None);
+            let porosity = read(path, files(path, "porosity"), Some(Ratio::of(9.5))).unwrap();
+            assert_eq!(porosity.field("porosity"), rock().unwrap().field("porosity"), "{path}");
+            assert_eq!((porosity.solids(), porosity.material(1, 4)), (10, None), "{path}");
+        }
+    }
+
+    #[test]
+    fn damaged_volumes_are_refused() {
+        for (path, field) in [("a.vti", "rock"), ("a.nrrd", "porosity"), ("a.npy", "porosity")] {
+            let whole = files(path, field)[path].clone();
+            // The end of a .vti has no numbers.
+            let numbers = whole.len() - if path == "a.vti" { 33 } else { 0 };
+            for length in (0..numbers).step_by(3) {
+                let cut = BTreeMap::from([(path.to_string(), whole[..length].to_vec())]);
+                assert!(read(path, cut, None).is_err(), "{path} of {length} bytes");
+            }
+        }
+        let lies = |path: &str, field: &str, from: &str, to: &str| {
+            let whole = files(path, field)[path].clone();
+            let at = whole.windows(from.len()).position(|w| w == from.as_bytes()).unwrap();
+            let changed = [&whole[..at], to.as_bytes(), &whole[at + from.len()..]].concat();
+            read(path, BTreeMap::from([(path.to_string(), changed)]), None).unwrap_err().to_string()
+        };
+        assert!(
+            lies("a.nrrd", "porosity", "sizes: 3 2 2", "sizes: 10000 10000 10000").contains("expected 1 to 4.29e9")
+        );
+        assert!(lies("a.nrrd", "porosity", "sizes: 3 2 2", "sizes: 3 2 9").contains("truncated"));
+        assert!(lies("a.vti", "rock", "\"0 3 0 2 0 2\"", "\"0 9999 0 9999 0 99999\"").contains("voxels"));
+        assert!(lies("a.npy", "porosity", "(2, 2, 3), }", "(2, 2, 4), }").contains("truncated"));
+        assert!(lies("a.vti", "rock", "Spacing=\"2 2 1\"", "Spacing=\"2 0 1\"").contains("above 0"));
     }
 
     #[test]

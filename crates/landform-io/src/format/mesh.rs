@@ -28,9 +28,9 @@ pub fn mesh_file_from_mesh(mesh: &Mesh) -> MeshFile {
     MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None }
 }
 
-/// The faces of voxels, two triangles each; `rounds` of smoothing, in which no point leaves the
-/// half of a voxel around it.
-pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
+/// The faces of voxels, or their surface nets, two triangles each; `rounds` of smoothing, in which
+/// no point leaves the half of a voxel around it.
+pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32, nets: bool) -> MeshFile {
     let shape = ground.plan().shape;
     // Rows run from the north, the lattice from the south.
     let node = |x: usize, y: usize| shape.index(shape.rows - 1 - y, x);
@@ -40,12 +40,12 @@ pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32) -> MeshFile {
     let [dx, dy] = ground.plan().spacing;
     let side = [dx, dy, ground.height()];
     let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + v[k] * side[k]);
-    let points = quads.points(smooth(&quads, size, rounds)).into_iter().map(at).collect();
+    let points = smooth(&quads, size, rounds, nets).into_iter().map(at).collect();
     MeshFile { points, triangles: quads.triangles(), middle: None }
 }
 
 /// The walls of the cave alone, as seen from inside; closed where it leaves the box.
-pub(crate) fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32) -> MeshFile {
+pub(crate) fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32, nets: bool) -> MeshFile {
     let (lattice, cave) = cave_voxels(ground);
     let inner = lattice.size();
     // A layer of rock all around keeps ends closed.
@@ -58,7 +58,7 @@ pub(crate) fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32) -> MeshFile {
     let Bounds { low, .. } = ground.bounding_box();
     let side = lattice.sides();
     let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + (v[k] - 1.0) * side[k]);
-    let lattice_points = quads.points(smooth(&quads, size, rounds));
+    let lattice_points = smooth(&quads, size, rounds, nets);
     // The outside of that layer is no part of the cave.
     let is_out = |i: u32| (0..3).any(|k| [0.0, size[k] as f64].contains(&lattice_points[i as usize][k]));
     let (mut number, mut points, mut triangles) = (vec![u32::MAX; lattice_points.len()], Vec::new(), Vec::new());

@@ -16,12 +16,12 @@ const FARTHEST: f64 = 0.5;
 /// Rounds of giving volume back at the end.
 const LAST: usize = 8;
 
-/// Places of the vertices of voxels' faces after some rounds, in voxels. Those on the sides of the
-/// box stay in them.
-pub(super) fn smooth(quads: &Quads, size: [usize; 3], rounds: u32) -> Vec<[f64; 3]> {
+/// Places of all vertices of voxels' faces after some rounds, in voxels, from the corners of voxels
+/// or from surface nets. Those on the sides of the box stay in them.
+pub(super) fn smooth(quads: &Quads, size: [usize; 3], rounds: u32, nets: bool) -> Vec<[f64; 3]> {
     let home: Vec<[f64; 3]> = quads.vertices.iter().map(|v| v.map(f64::from)).collect();
-    if rounds == 0 {
-        return home;
+    if rounds == 0 && !nets {
+        return quads.points(home);
     }
     let bodies = Bodies::of(quads, &home);
     let hold = |i: usize, place: [f64; 3]| {
@@ -31,6 +31,9 @@ pub(super) fn smooth(quads: &Quads, size: [usize; 3], rounds: u32) -> Vec<[f64; 
         })
     };
     let mut points = home.clone();
+    if nets {
+        points = quads.nets().into_iter().enumerate().map(|(i, place)| hold(i, place)).collect();
+    }
     for _ in 0..rounds {
         for way in WAYS {
             let means = means(quads, &points);
@@ -40,7 +43,7 @@ pub(super) fn smooth(quads: &Quads, size: [usize; 3], rounds: u32) -> Vec<[f64; 
         bodies.fill(quads, &mut points, hold);
     }
     (0..LAST).for_each(|_| bodies.fill(quads, &mut points, hold));
-    points
+    quads.points_apart(points)
 }
 
 /// The mean of the neighbours of each vertex.
@@ -133,10 +136,10 @@ mod tests {
     use super::*;
 
     /// Volume of each body after some rounds over that before.
-    fn kept(rounds: u32, is_solid: impl Fn([usize; 3]) -> bool) -> (f64, f64) {
+    fn kept(rounds: u32, nets: bool, is_solid: impl Fn([usize; 3]) -> bool) -> (f64, f64) {
         let size = [24, 9, 9];
         let quads = polygonise(size, is_solid);
-        let points = smooth(&quads, size, rounds);
+        let points = smooth(&quads, size, rounds, nets);
         let home: Vec<[f64; 3]> = quads.vertices.iter().map(|v| v.map(f64::from)).collect();
         let bodies = Bodies::of(&quads, &home);
         let ratios = bodies.measure(&quads, &points).into_iter().zip(&bodies.volumes);
@@ -152,8 +155,8 @@ mod tests {
         let voxel = |at: [usize; 3]| at == [4, 6, 6];
         let chamber =
             |[x, y, z]: [usize; 3]| (8..14).contains(&x) && (4..8).contains(&y) && (1..8).contains(&z) && x + y > 13;
-        for rounds in [1, 3, 10, 100] {
-            let (low, high) = kept(rounds, |at| passage(at) || voxel(at) || chamber(at));
+        for (rounds, nets) in [(1, false), (3, false), (10, true), (100, false), (0, true), (100, true)] {
+            let (low, high) = kept(rounds, nets, |at| passage(at) || voxel(at) || chamber(at));
             assert!(low > 0.97 && high < 1.03, "{rounds} rounds: {low} to {high}");
         }
     }
@@ -168,7 +171,7 @@ mod tests {
                 |v: &[u32; 3]| (3..21).contains(&v[0]) && (2..7).contains(&v[1]) && v[2] > 0 && 3 * v[2] < v[0] + 4;
             quads.vertices.iter().zip(points).filter(|(v, _)| inner(v)).map(|(_, p)| off(p)).fold(0.0, f64::max)
         };
-        let [before, after] = [0, 10].map(|rounds| rough(&smooth(&quads, size, rounds)));
+        let [before, after] = [0, 10].map(|rounds| rough(&smooth(&quads, size, rounds, false)));
         assert!(after < 0.5 * before, "{before} {after}");
     }
 }

@@ -55,6 +55,10 @@ fn stamp(path: &Path) -> Option<(u64, SystemTime)> {
 }
 
 impl Maps for FileMaps {
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>> {
+        read_whole(&self.folder.join(path))
+    }
+
     fn image(&self, path: &Path) -> Result<Image> {
         let path = self.folder.join(path);
         read_grey(&read_whole(&path)?).map_err(|e| match e {

@@ -1,6 +1,6 @@
 //! The form of a cave, and what its water found on the way.
 
-use landform_core::analysis::cave::{Morphometry, morphometry};
+use landform_core::analysis::cave::{Morphometry, centreline, morphometry};
 use landform_core::feature::{Feature, FeatureKind, Features, Property};
 use landform_core::terrain::VoxelGrid;
 use landform_core::units::Length;
@@ -23,11 +23,14 @@ pub struct MeasureCave {
     /// Radius around passages of the optimised cave field.
     #[schemars(extend("x-above" = 0.0, "x-max" = 100_000.0))]
     pub field_radius: Length,
+    /// Elevation of standing water, of which the length of flooded passages is found. If not
+    /// given, it is not.
+    pub water_level: Option<Length>,
 }
 
 impl Default for MeasureCave {
     fn default() -> Self {
-        Self { path: "cave.json".into(), field_radius: Length::of(12.0) }
+        Self { path: "cave.json".into(), field_radius: Length::of(12.0), water_level: None }
     }
 }
 
@@ -69,7 +72,13 @@ impl Params for MeasureCave {
 /// let plan = Grid::new(Shape::new(1, 3), [1.0, 1.0])?;
 /// let ground = VoxelGrid::from_fn(plan, 3, 0.0, 1.0, &Materials::default(), |l, n| (l != 1 || n != 1).then_some(0))?;
 /// let form = morphometry(&ground, 5.0).unwrap();
-/// let found = landform_io::measure::CaveMeasured { form, breakthroughs: 0, captures: 0, inlets: Vec::new() };
+/// let found = landform_io::measure::CaveMeasured {
+///     form,
+///     flooded_length_m: None,
+///     breakthroughs: 0,
+///     captures: 0,
+///     inlets: Vec::new(),
+/// };
 /// assert_eq!(found.form.volume_m3, 1.0);
 /// # Ok::<(), landform_core::Error>(())
 /// ```
@@ -78,6 +87,8 @@ pub struct CaveMeasured {
     /// The form of its passages.
     #[serde(flatten)]
     pub form: Morphometry,
+    /// Length of passages under the water level, m; none if no level was given.
+    pub flooded_length_m: Option<f64>,
     /// How many inlets an open passage leads from to an outlet.
     pub breakthroughs: usize,
     /// How many of them join the passage of another inlet.
@@ -121,7 +132,8 @@ impl Measure<VoxelGrid> for MeasureCave {
         let inlets = inlets(landscape.terrain.features());
         let through = || inlets.iter().filter(|i| i.breakthrough_iteration.is_some());
         let (breakthroughs, captures) = (through().count(), through().filter(|i| i.joins_inlet.is_some()).count());
-        Ok(CaveMeasured { form, breakthroughs, captures, inlets })
+        let flooded_length_m = self.water_level.map(|z| centreline(landscape.terrain).length_under(z.si()));
+        Ok(CaveMeasured { form, flooded_length_m, breakthroughs, captures, inlets })
     }
 }
 

@@ -38,6 +38,29 @@ impl Centreline {
         self.legs.iter().map(|l| l.map(|s| self.stations[s as usize])).map(|[a, b]| distance(a, b)).sum()
     }
 
+    /// Length of what lies under an elevation (m), such as that of standing water, m.
+    ///
+    /// ```
+    /// use landform_core::analysis::cave::Centreline;
+    ///
+    /// let stations = vec![[0.0; 3], [3.0, 0.0, 4.0]];
+    /// let line = Centreline { stations, legs: vec![[0, 1]], ..Centreline::default() };
+    /// assert_eq!([-1.0, 1.0, 9.0].map(|level| line.length_under(level)), [0.0, 1.25, 5.0]);
+    /// ```
+    pub fn length_under(&self, level: f64) -> f64 {
+        let under = |leg: &[u32; 2]| {
+            let [a, b] = leg.map(|s| self.stations[s as usize]);
+            let (low, high) = (a[2].min(b[2]), a[2].max(b[2]));
+            let part = if high > low {
+                ((level - low) / (high - low)).clamp(0.0, 1.0)
+            } else {
+                f64::from(u8::from(low < level))
+            };
+            part * distance(a, b)
+        };
+        self.legs.iter().map(under).sum()
+    }
+
     /// The same as a network of conduits.
     ///
     /// ```

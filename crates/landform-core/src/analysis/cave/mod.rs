@@ -4,9 +4,11 @@
 
 mod centreline;
 mod morphometry;
+mod walk;
 
 pub use centreline::{Centreline, centreline};
 pub use morphometry::{CaveClass, Morphometry, Share, morphometry};
+pub use walk::Chamber;
 
 use crate::algo::lattice::Lattice;
 use crate::terrain::VoxelGrid;

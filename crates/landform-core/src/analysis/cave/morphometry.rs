@@ -14,6 +14,7 @@ use serde::Serialize;
 
 use super::cave_voxels;
 use super::centreline::line_of;
+use super::walk::{Chamber, largest_chamber, walkable};
 use crate::algo::lattice::{FACES, Lattice, Thinning, thin, topology};
 use crate::terrain::VoxelGrid;
 
@@ -90,6 +91,11 @@ pub struct Morphometry {
     pub width_m: f64,
     /// Ratio of length to mean width.
     pub length_to_width: f64,
+    /// Where the largest ball fits.
+    pub largest_chamber: Chamber,
+    /// Largest part of the floors over which one walks in one go, standing 1.8 m high and 0.4 m in
+    /// radius, on slopes of up to 45°, %.
+    pub walkable_percent: f64,
     /// Caves that do not hang together.
     pub pieces: usize,
     /// Independent loops of passages.
@@ -155,6 +161,8 @@ pub fn morphometry(ground: &VoxelGrid, radius: f64) -> Option<Morphometry> {
         depth_range_m: depth,
         width_m: width,
         length_to_width: length / width,
+        largest_chamber: largest_chamber(ground, &lattice, &cave, &voxels),
+        walkable_percent: 100.0 * walkable(&lattice, &cave, &voxels),
         pieces: numbers.pieces,
         loops: numbers.tunnels,
         euler: numbers.euler,

@@ -43,6 +43,18 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Stored> {
     Ok(Stored::bare(shape, Vec::new()))
 }
 
+/// Levels, rows and columns of an array of three indices, the kind of its numbers as NumPy writes
+/// it, and the numbers as stored.
+pub(super) fn volume(bytes: &[u8]) -> Result<([u64; 3], String, &[u8])> {
+    let header = Header::read(bytes)?;
+    let shape = <[u64; 3]>::try_from(header.shape);
+    let shape = shape.map_err(|s| Error::format(NAME, format!("it has {} indices; expected three", s.len())))?;
+    if header.is_fortran {
+        return Err(Error::format(NAME, "its first index runs fastest; numpy.ascontiguousarray turns it"));
+    }
+    Ok((shape, header.kind.unwrap_or_default(), bytes.get(header.start..).unwrap_or_default()))
+}
+
 /// Rows and columns that a file of this length may have.
 fn shape(header: &Header, bytes: &[u8]) -> Result<Shape> {
     let [rows, cols] = size(&header.shape)?;
