@@ -79,7 +79,6 @@ impl<'a> MaxFlow<'a> {
     /// let capacity = lattice.padded([9, 3, 9, 9, 0, 9, 9, 9, 9].into_iter(), 0);
     /// let (parts, ends) = (vec![0; lattice.stored()], [[0, 1, 0], [2, 1, 0]].map(|place| lattice.at(place)));
     /// let flow = MaxFlow::widest_first(&lattice, &capacity, &parts, &ends[..1], &ends[1..]);
-    /// // Edges have room, and two lead into each way: of 3 in the north, of 9 in the south.
     /// assert_eq!(flow.value(), 2 * 3 + 2 * 9);
     /// ```
     pub fn widest_first(
