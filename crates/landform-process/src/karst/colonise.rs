@@ -4,9 +4,8 @@
 //! Runions, Lane & Prusinkiewicz (2007), section 3, with open venation. A place stops to pull when
 //! a node has come within a step and a half of it; the passage then ends there.
 
-use std::collections::BTreeMap;
-
 use super::keys::Keys;
+use super::near::Cells;
 use super::rock::Rock;
 use super::space::{Skeleton, Vector, distance, minus, plus, unit};
 
@@ -17,29 +16,6 @@ struct Attractor {
     far: f64,
 }
 
-/// Nodes by cubic cells of a step.
-struct Taken {
-    cell: f64,
-    nodes: BTreeMap<[i64; 3], Vec<u32>>,
-}
-
-impl Taken {
-    fn cell(&self, at: Vector) -> [i64; 3] {
-        at.map(|v| (v / self.cell).floor() as i64)
-    }
-
-    fn add(&mut self, node: u32, at: Vector) {
-        self.nodes.entry(self.cell(at)).or_default().push(node);
-    }
-
-    /// Nodes in the cell of a place and those next to it.
-    fn around(&self, at: Vector) -> impl Iterator<Item = u32> {
-        let [x, y, z] = self.cell(at);
-        let next = move |k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1];
-        (0..27).filter_map(move |k| self.nodes.get(&next(k))).flatten().copied()
-    }
-}
-
 /// Grows the network. Returns the node of each of the keys' ends.
 pub(super) fn colonise(skeleton: &mut Skeleton, keys: &Keys, rock: &Rock<'_>) -> Vec<u32> {
     let ends = keys.ends();
@@ -48,7 +24,7 @@ pub(super) fn colonise(skeleton: &mut Skeleton, keys: &Keys, rock: &Rock<'_>) ->
         ends.iter().map(|&at| Attractor { at, nearest: 0, far: f64::INFINITY }).enumerate().collect();
     let step = rock.step;
     let mut fresh = 0;
-    let mut taken = Taken { cell: step, nodes: BTreeMap::new() };
+    let mut taken = Cells::new(step);
     let side = (0..2).map(|k| rock.bounds[1][k] - rock.bounds[0][k]).sum::<f64>();
     for _ in 0..(6.0 * side / step) as usize + 20 {
         for n in fresh..skeleton.nodes.len() {
@@ -85,7 +61,7 @@ pub(super) fn colonise(skeleton: &mut Skeleton, keys: &Keys, rock: &Rock<'_>) ->
 }
 
 /// Every node that is pulled at grows by a step.
-fn grow(skeleton: &mut Skeleton, pulling: &[(usize, Attractor)], taken: &Taken, rock: &Rock<'_>) {
+fn grow(skeleton: &mut Skeleton, pulling: &[(usize, Attractor)], taken: &Cells, rock: &Rock<'_>) {
     let step = rock.step;
     let old = skeleton.nodes.len();
     let mut by_node: Vec<(u32, usize)> = pulling.iter().enumerate().map(|(k, (_, a))| (a.nearest, k)).collect();

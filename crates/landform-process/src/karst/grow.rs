@@ -48,7 +48,7 @@ impl KarstNetwork {
         loops::close(&mut skeleton, missing, &rock, seed.named("loops"));
         let feet = keys.shafts.len();
         let fixed: Vec<u32> = springs.iter().chain(&sinkholes).chain(&reached[feet..]).copied().collect();
-        let bent = wander::wander(&skeleton, &fixed, self.tortuosity, &rock)?;
+        let bent = wander::wander(&skeleton, &fixed, [self.tortuosity, self.method.straighter()], &rock)?;
         let ends = Ends { sinkholes, springs, waypoints: reached[feet..].to_vec() };
         self.conduits(bent, ends, &rock)
     }
@@ -79,6 +79,16 @@ impl KarstNetwork {
         }
         let water = network.nodes.iter().map(|at| rock.water_table(*at)).collect();
         Ok(Grown { network, sinkholes, springs, shares, water })
+    }
+}
+
+impl Method {
+    /// By how much bends are less along fractures. Shortest paths are straight as they are.
+    fn straighter(self) -> f64 {
+        match self {
+            Self::SpaceColonisation => 0.25,
+            Self::ShortestPaths => 0.0,
+        }
     }
 }
 

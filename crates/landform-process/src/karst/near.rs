@@ -1,5 +1,7 @@
 //! Places by cubic cells, to find those near a place.
 
+use std::collections::BTreeMap;
+
 use landform_core::terrain::Bounds;
 
 use super::space::{Vector, distance};
@@ -62,5 +64,33 @@ impl<'a> Near<'a> {
             }
         }
         found
+    }
+}
+
+/// Nodes by cubic cells, as they come.
+pub(super) struct Cells {
+    cell: f64,
+    nodes: BTreeMap<[i64; 3], Vec<u32>>,
+}
+
+impl Cells {
+    /// Cells of a length, m.
+    pub(super) fn new(cell: f64) -> Self {
+        Self { cell, nodes: BTreeMap::new() }
+    }
+
+    fn cell(&self, at: Vector) -> [i64; 3] {
+        at.map(|v| (v / self.cell).floor() as i64)
+    }
+
+    pub(super) fn add(&mut self, node: u32, at: Vector) {
+        self.nodes.entry(self.cell(at)).or_default().push(node);
+    }
+
+    /// Nodes in the cell of a place and those next to it.
+    pub(super) fn around(&self, at: Vector) -> impl Iterator<Item = u32> {
+        let [x, y, z] = self.cell(at);
+        let next = move |k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1];
+        (0..27).filter_map(move |k| self.nodes.get(&next(k))).flatten().copied()
     }
 }

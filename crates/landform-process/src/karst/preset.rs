@@ -30,9 +30,9 @@ impl Preset {
     /// Blind side passages for each sinkhole.
     pub(super) fn dead_ends(self) -> f64 {
         match self {
-            Self::Branchwork => 1.7,
-            Self::Mixed => 1.8,
-            Self::Anastomotic => 1.6,
+            Self::Branchwork => 1.9,
+            Self::Mixed => 2.1,
+            Self::Anastomotic => 2.1,
             Self::RectilinearMaze | Self::Spongework => 0.0,
         }
     }
@@ -41,8 +41,8 @@ impl Preset {
     pub(super) fn loops(self) -> f64 {
         match self {
             Self::Branchwork => 0.0,
-            Self::Mixed => 0.18,
-            Self::Anastomotic => 0.6,
+            Self::Mixed => 0.17,
+            Self::Anastomotic => 0.5,
             Self::RectilinearMaze | Self::Spongework => 0.0,
         }
     }

@@ -1,7 +1,7 @@
 //! The rock: where it is, its fractures and beds, the water table, and what a way costs.
 
 use landform_core::algo::noise::gradient_noise;
-use landform_core::random::Seed;
+use landform_core::random::{Draws, Seed};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Length, number_text};
 use landform_core::verb::Params;
@@ -15,6 +15,8 @@ use crate::mechanism::plane_normal;
 const RELIEF: f64 = 10.0;
 /// Ground beyond this elevation is refused, m.
 const HIGHEST: f64 = 1e6;
+/// Length over which rock is fractured alike, over that of bends.
+const STRETCH: f64 = 2.5;
 /// How far out of a sphere passages are moved, over its radius.
 const OUTSIDE: f64 = 1.002;
 
@@ -309,9 +311,14 @@ impl<'a> Rock<'a> {
             + gradient_noise(seed.with(1), x - y + 0.7, 1.3 * z + 0.4))
     }
 
-    /// Whether the rock of a place dissolves more readily than most.
-    pub(super) fn dissolves(&self, at: Vector) -> bool {
-        Self::noise(self.seed.with(7), at, 3.0 * self.bend) < -0.2
+    /// How hard the rock of a place is to dissolve, in about [-1, 1].
+    pub(super) fn resistance(&self, at: Vector) -> f64 {
+        Self::noise(self.seed.with(8), at, 8.0 * self.bend)
+    }
+
+    /// Part of the rock in which passages follow fractures, 0 to 1.
+    pub(super) fn fractured(&self) -> f64 {
+        self.fractures.iter().map(|f| share(f.weight)).fold(0.0, f64::max)
     }
 
     /// The attitude of fractures of a family at a place, as a normal.
@@ -324,14 +331,16 @@ impl<'a> Rock<'a> {
     /// Turns a direction towards the nearest family of fractures and bed.
     pub(super) fn guided(&self, at: Vector, direction: Vector) -> Vector {
         let mut sum = direction;
-        let chance = self.seed.with(9).uniform(at[0].to_bits() ^ at[1].to_bits().rotate_left(17));
+        // Stretches of rock are fractured or they are not.
+        let [x, y, _] = at.map(|v| (v / (STRETCH * self.bend)).floor() as i64 as u64);
+        let chance = self.seed.with(9).uniform(x ^ y.rotate_left(32));
         let along = |k: usize| {
             let n = self.fracture(k, at);
             (plus(direction, n, -dot(direction, n)), self.fractures[k].weight)
         };
         let best = (0..self.fractures.len()).map(along).max_by(|a, b| dot(a.0, a.0).total_cmp(&dot(b.0, b.0)));
         // Passages are in a fracture or they are not; between fractures they cross the rock.
-        if let Some((along, _)) = best.filter(|b| chance < b.1 / (0.5 + b.1)) {
+        if let Some((along, _)) = best.filter(|b| chance < share(b.1)) {
             sum = unit(along);
         }
         if let Some((bed, off)) = self.nearest_bed(at) {
@@ -341,6 +350,28 @@ impl<'a> Rock<'a> {
             sum = plus(plus(sum, unit(flat), bed.weight), bed.normal, 1.5 * bed.weight * pull);
         }
         unit(sum)
+    }
+
+    /// A direction aside of a passage: along a fracture that the passage does not follow, else to
+    /// either side.
+    pub(super) fn aside(&self, at: Vector, passage: Vector, draws: &mut Draws) -> Vector {
+        let side = if draws.uniform() < 0.5 { 1.0 } else { -1.0 };
+        let strike = |k: usize| {
+            let n = self.fracture(k, at);
+            unit([-n[1], n[0], 0.0])
+        };
+        let chance = draws.uniform();
+        let turn = draws.uniform();
+        let follows = |k: &usize| chance < share(self.fractures[*k].weight);
+        let across = (0..self.fractures.len()).filter(follows).map(strike).filter(|s| dot(*s, passage).abs() < 0.85);
+        let ways: Vec<Vector> = across.collect();
+        if !ways.is_empty() {
+            let way = ways[((turn * ways.len() as f64) as usize).min(ways.len() - 1)];
+            return way.map(|v| side * v);
+        }
+        let angle = side * (0.7 + 1.2 * turn);
+        let (s, c) = (math::sin(angle), math::cos(angle));
+        unit([c * passage[0] - s * passage[1], s * passage[0] + c * passage[1], 0.0])
     }
 
     /// The nearest bed, and how far above it a place lies, m.
@@ -374,6 +405,11 @@ impl<'a> Rock<'a> {
         let dissolves = math::exp(0.8 * Self::noise(self.seed.with(7), middle, 3.0 * self.bend));
         far * dissolves * (1.0 + fractures + beds + water)
     }
+}
+
+/// Part of the rock in which passages follow fractures of a weight.
+fn share(weight: f64) -> f64 {
+    weight / (0.5 + weight)
 }
 
 /// The place of a line between two places next to another, and how far from it, m.

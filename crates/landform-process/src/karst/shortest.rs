@@ -14,10 +14,12 @@ use landform_core::{Error, Result, math, parallel};
 use super::keys::Keys;
 use super::near::Near;
 use super::rock::Rock;
-use super::space::{Skeleton, Vector, between, distance};
+use super::space::{Skeleton, Vector, between, distance, dot, minus, plus, unit};
 
 /// Power of the cost where none is given.
 const GAMMA: f64 = 2.0;
+/// Part of the way to the next places for which passages that met at one place stay together.
+const TOGETHER: f64 = 0.5;
 /// More places than this are refused.
 const MOST_PLACES: f64 = 200_000.0;
 
@@ -69,6 +71,7 @@ pub(super) fn shortest(
         let ends = [a, b].map(|n| *number.entry(n).or_insert_with(|| skeleton.node(places[n as usize])));
         skeleton.edges.push(ends);
     }
+    spread(skeleton);
     smooth(skeleton, count, rock);
     Ok((springs..count).map(|k| k as u32).collect())
 }
@@ -181,18 +184,46 @@ impl Ways {
     }
 }
 
+/// Leads passages that meet at one place together in pairs before it, so that no more than three
+/// meet: those first between which the angle is the least.
+fn spread(skeleton: &mut Skeleton) {
+    let mut at: Vec<Vec<usize>> = vec![Vec::new(); skeleton.nodes.len()];
+    for (e, ends) in skeleton.edges.iter().enumerate() {
+        ends.iter().for_each(|&n| at[n as usize].push(e));
+    }
+    for (node, mut edges) in at.into_iter().enumerate() {
+        let node = node as u32;
+        while edges.len() > 3 {
+            let here = skeleton.nodes[node as usize];
+            let far_end = |e: usize| skeleton.edges[e].iter().sum::<u32>() - node;
+            let way = |e: usize| minus(skeleton.nodes[far_end(e) as usize], here);
+            let pairs = (0..edges.len()).flat_map(|i| (i + 1..edges.len()).map(move |j| (i, j)));
+            let alike = |&(i, j): &(usize, usize)| dot(unit(way(edges[i])), unit(way(edges[j])));
+            let Some((i, j)) = pairs.max_by(|a, b| alike(a).total_cmp(&alike(b))) else { break };
+            let (a, b) = (edges[i], edges[j]);
+            let to = between(here, between(plus(here, way(a), 1.0), plus(here, way(b), 1.0), 0.5), TOGETHER);
+            let fork = skeleton.node(to);
+            for e in [a, b] {
+                let end = skeleton.edges[e].iter().position(|n| *n == node).unwrap_or(0);
+                skeleton.edges[e][end] = fork;
+            }
+            edges.retain(|e| *e != a && *e != b);
+            edges.push(skeleton.edges.len());
+            skeleton.edges.push([node, fork]);
+        }
+    }
+}
+
 /// Takes the corners off passages between forks; the first `keys` nodes stay.
 fn smooth(skeleton: &mut Skeleton, keys: usize, rock: &Rock<'_>) {
     let joined = skeleton.joined();
-    for _ in 0..3 {
-        let before = skeleton.nodes.clone();
-        for (i, others) in joined.iter().enumerate().skip(keys) {
-            if let [a, b] = others[..] {
-                let middle = between(before[a as usize], before[b as usize], 0.5);
-                let to = between(before[i], middle, 0.5);
-                if [a, b].iter().all(|n| rock.is_clear(to, skeleton.nodes[*n as usize], rock.step)) {
-                    skeleton.nodes[i] = to;
-                }
+    let before = skeleton.nodes.clone();
+    for (i, others) in joined.iter().enumerate().skip(keys) {
+        if let [a, b] = others[..] {
+            let middle = between(before[a as usize], before[b as usize], 0.5);
+            let to = between(before[i], middle, 0.5);
+            if [a, b].iter().all(|n| rock.is_clear(to, skeleton.nodes[*n as usize], rock.step)) {
+                skeleton.nodes[i] = to;
             }
         }
     }

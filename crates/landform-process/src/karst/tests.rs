@@ -171,6 +171,42 @@ fn lengths_do_not_depend_on_the_distance_of_samples() {
     }
 }
 
+/// Share of the length of passages that leads within 15 degrees of 40 or 130 degrees from north.
+fn along_families(params: &KarstNetwork) -> f64 {
+    let (mut near, mut all) = (0.0, 0.0);
+    for network in (0..3).map(|seed| grown(params, seed).network) {
+        let pieces = network.conduits.iter().flat_map(|c| c.nodes.chunks(6).map(|p| [p[0], p[p.len() - 1]]));
+        for [a, b] in pieces.map(|e| e.map(|n| network.nodes[n as usize])) {
+            let azimuth = math::atan2(b[0] - a[0], b[1] - a[1]).to_degrees().rem_euclid(90.0);
+            let far = math::hypot(b[0] - a[0], b[1] - a[1]);
+            all += far;
+            near += if (azimuth - 40.0).abs() < 15.0 { far } else { 0.0 };
+        }
+    }
+    near / all
+}
+
+#[test]
+fn ways_follow_two_families_of_fractures_by_either_method() {
+    let family = |dip_direction: f64| Fracture { dip_direction: Angle::of(dip_direction), ..Fracture::default() };
+    for params in all_ways().into_iter().filter(|p| !p.preset.is_maze()) {
+        let with = KarstNetwork { fractures: vec![family(130.0), family(40.0)], ..params.clone() };
+        let found = [along_families(&with), along_families(&params)];
+        assert!(found[0] > 1.2 * found[1], "{:?} {:?} {found:?}", params.preset, params.method);
+    }
+}
+
+#[test]
+fn networks_are_as_natural_ones_are() {
+    for params in all_ways().into_iter().filter(|p| !p.preset.is_maze()) {
+        let params = KarstNetwork { radius: [1.0, 5.0].map(Length::of), ..params };
+        let found = (1..=4).map(|seed| statistics(&grown(&params, seed)).in_range);
+        let found: Vec<usize> = found.collect();
+        let what = format!("{:?} {:?} {found:?}", params.preset, params.method);
+        assert!(found.iter().all(|n| *n >= 7) && found.iter().filter(|n| **n == 8).count() >= 3, "{what}");
+    }
+}
+
 #[test]
 fn the_same_bytes_on_any_number_of_threads() {
     for params in all_ways() {

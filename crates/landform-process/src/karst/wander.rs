@@ -10,7 +10,7 @@ use super::space::{Skeleton, Vector, between, distance};
 /// Waves of the field over the length of bends.
 const WAVES: [f64; 2] = [1.0, 0.4];
 /// Slope of the field for a tortuosity t: this times √(t² − 1). Measured.
-const STRENGTH: f64 = 0.4;
+const STRENGTH: f64 = 0.46;
 /// Vertical bends over those in plan.
 const VERTICAL: f64 = 0.5;
 
@@ -20,10 +20,16 @@ const ARC: usize = 64;
 const MOST_PLACES: f64 = 1e6;
 
 /// Fine passages that turn. The first nodes are those of the network, and `fixed` ones stay.
+/// Where all rock is fractured, bends are less by the part `straighter`.
 ///
 /// # Errors
 /// [`Error::Parameter`] for bends of which passages have too many.
-pub(super) fn wander(skeleton: &Skeleton, fixed: &[u32], tortuosity: f64, rock: &Rock<'_>) -> Result<Skeleton> {
+pub(super) fn wander(
+    skeleton: &Skeleton,
+    fixed: &[u32],
+    [tortuosity, straighter]: [f64; 2],
+    rock: &Rock<'_>,
+) -> Result<Skeleton> {
     let fine = 0.2 * WAVES[1] * rock.bend;
     let mut nodes = skeleton.nodes.clone();
     let mut is_fixed = vec![false; nodes.len()];
@@ -53,7 +59,8 @@ pub(super) fn wander(skeleton: &Skeleton, fixed: &[u32], tortuosity: f64, rock: 
         }
         bent.edges.push([last, edge[1]]);
     }
-    let strength = STRENGTH * (tortuosity * tortuosity - 1.0).max(0.0).sqrt();
+    let straight = 1.0 - straighter * rock.fractured();
+    let strength = STRENGTH * straight * (tortuosity * tortuosity - 1.0).max(0.0).sqrt();
     let seed = rock.seed.named("bends");
     let moved = parallel::map(bent.nodes.len(), |i| {
         let at = bent.nodes[i];
