@@ -11,7 +11,7 @@ use landform::recipe::{Aim, Fit, Override, Recipe, Span};
 
 use crate::how::How;
 use crate::show_error::{Failure, about};
-use crate::vary::{cancelled_by_signal, check_folder};
+use crate::vary::{cancelled_by_signal, check_table};
 
 #[derive(clap::Args)]
 #[command(
@@ -68,7 +68,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let fit = args.fit()?;
     let load = |overrides: &[Override]| Recipe::load(&args.recipe, overrides);
     if let Some(path) = &args.output {
-        check_folder(path)?;
+        check_table(path)?;
     }
     let cancel = cancelled_by_signal();
     let found = with_threads(args.how.threads, || {

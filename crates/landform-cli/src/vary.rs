@@ -56,9 +56,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     if !(1..=10_000).contains(&args.n) {
         return Err(Error::parameter("n", args.n, "1 to 10,000 seeds").into());
     }
-    for path in args.table.iter().chain(&args.sheet) {
-        check_folder(path)?;
-    }
+    args.table.as_deref().map(check_table).transpose()?;
+    args.sheet.as_deref().map(check_folder).transpose()?;
     let seeds = (0..args.n).map(|k| first.wrapping_add(k)).collect();
     let sweep = Sweep { seeds, over, keep: args.sheet.is_some() };
     let runs = sweep.runs(own)?.len();
@@ -118,7 +117,16 @@ pub(crate) fn cancelled_by_signal() -> CancelToken {
 }
 
 /// Refuses a file in a folder that does not exist, before the runs start.
-pub(crate) fn check_folder(path: &Path) -> Result<()> {
+/// Refuses a path at which no table can be written, or where one would take the place of something
+/// else, such as the recipe.
+pub(crate) fn check_table(path: &Path) -> Result<()> {
+    if path.extension().is_none_or(|end| !end.eq_ignore_ascii_case("csv")) {
+        return Err(Error::extension("table", &path.display().to_string(), &["csv"]));
+    }
+    check_folder(path)
+}
+
+fn check_folder(path: &Path) -> Result<()> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     std::fs::metadata(folder).map(drop).map_err(|e| Error::io("write in", folder, e))
 }

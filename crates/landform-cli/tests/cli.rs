@@ -156,6 +156,41 @@ fn rasters_are_converted_and_drawn() {
 }
 
 #[test]
+fn voxels_are_written_and_read_again() {
+    let dir = tempfile::tempdir().unwrap();
+    let make = r#"[[stage]]
+use = "rock_volume"
+grid = { size = ["12 m", "9 m", "6 m"], cell_size = "1 m" }
+[[stage]]
+use = "write_volume"
+path = "porosity.nrrd"
+field = "porosity"
+"#;
+    // The file's own field needs no ground before it.
+    let read = |path: &str| {
+        format!(
+            r#"[[stage]]
+use = "volume_file"
+path = "{path}"
+empty_above = 0.99
+[[stage]]
+use = "write_volume"
+path = "again.nrrd"
+field = "porosity"
+"#
+        )
+    };
+    std::fs::write(dir.path().join("make.toml"), make).unwrap();
+    let made = landform(dir.path(), &["run", "make.toml", "-o", "a", "-q"]);
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    std::fs::write(dir.path().join("read.toml"), read("a/porosity.nrrd")).unwrap();
+    let again = landform(dir.path(), &["run", "read.toml", "-o", "b", "-q"]);
+    assert!(again.status.success(), "{}", text(&again.stderr));
+    let bytes = |file: &str| std::fs::read(dir.path().join(file)).unwrap();
+    assert!(bytes("a/porosity.nrrd") == bytes("b/again.nrrd"));
+}
+
+#[test]
 fn a_value_is_fitted_to_a_target() {
     let dir = tempfile::tempdir().unwrap();
     std::fs::write(dir.path().join("r.toml"), SMALL).unwrap();
@@ -164,6 +199,8 @@ fn a_value_is_fitted_to_a_target() {
     let most = fit(&["--most", "max_m", "--runs", "5", "-o", "t.csv"]);
     assert!(most.status.success(), "{}", text(&most.stderr));
     assert_eq!(text(&most.stdout).trim(), "--set \"uplift.rate=0.6 mm/yr\"");
+    let seeded = fit(&["--most", "max_m", "--runs", "2", "--seed", "5"]);
+    assert!(text(&seeded.stdout).trim().ends_with(" --seed 5"), "{}", text(&seeded.stdout));
     let table = text(&std::fs::read(dir.path().join("t.csv")).unwrap());
     assert!(table.starts_with("seed,uplift.rate,min_m") && table.lines().count() == 6);
     let far = fit(&["--column", "max_m", "--target", "1e6", "--runs", "3"]);
@@ -171,6 +208,7 @@ fn a_value_is_fitted_to_a_target() {
     assert!(text(&far.stdout).contains("--set \"uplift.rate=0.6 mm/yr\""), "the nearest is printed");
     for (more, message) in [
         (&["--most", "max"][..], "`max_m`?"),
+        (&["--most", "max_m", "-o", "r.toml"], ".csv"),
         (&["--column", "max_m"], "--target"),
         (&["--most", "max_m", "--least", "min_m"], "cannot be used with"),
         (&["--most", "max_m", "--over", "uplift.rate=1..2"], "twice"),

@@ -5,7 +5,7 @@ use landform_core::field::names::unit_of;
 use landform_core::grid::Shape;
 use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, Rasterize, VoxelGrid};
 use landform_core::units::{Angle, Length};
-use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
+use landform_core::verb::{Environment, Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -36,6 +36,8 @@ pub struct WritePicture {
     pub logarithmic: Option<bool>,
     /// Whether rivers and lakes are drawn.
     pub water: bool,
+    /// Sea level. If not given, it is the environment's, or else 0 m.
+    pub sea_level: Option<Length>,
     /// Perspective and landscape: compass direction from which the camera looks. With 180 deg the
     /// north is in the middle.
     pub view_from: Angle,
@@ -92,6 +94,7 @@ impl Default for WritePicture {
             ramp: None,
             logarithmic: None,
             water: true,
+            sea_level: None,
             view_from: Angle::from_si(view.from),
             tilt: None,
             standpoint: None,
@@ -168,6 +171,7 @@ impl WritePicture {
                     exaggeration: self.exaggeration,
                     zoom: self.zoom,
                     water: self.water,
+                    sea_level: self.sea_level.map_or(0.0, Length::si),
                     standpoint: (self.view == ViewKind::Landscape).then_some(standpoint),
                     ..view
                 },
@@ -186,6 +190,7 @@ impl WritePicture {
             ramp: self.ramp.unwrap_or(if field.is_some() { Ramp::Dusk } else { Ramp::Terrain }),
             logarithmic: self.logarithmic.unwrap_or(field == Some("drainage_area")),
             water: self.water,
+            sea_level: self.sea_level.map_or(0.0, Length::si),
         };
         match field {
             None => shaded_map(&raster, &style),
@@ -211,8 +216,15 @@ impl WritePicture {
         Err(Error::parameter("standpoint", value, &format!("a place on the map, which is {width} x {height} m")))
     }
 
-    fn write<T: Rasterize>(&self, terrain: &T, out: &mut dyn Output) -> Result<()> {
-        let picture = self.draw(terrain)?;
+    /// The same picture with the sea of an environment, where it has no level of its own.
+    #[must_use]
+    pub fn in_environment(self, environment: &Environment) -> Self {
+        let sea_level = environment.sea(self.sea_level).map(Length::of);
+        Self { sea_level, ..self }
+    }
+
+    fn write<T: Rasterize>(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
+        let picture = self.clone().in_environment(landscape.environment).draw(landscape.terrain)?;
         out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?)
     }
 
@@ -233,13 +245,13 @@ impl WritePicture {
 
 impl Export<HeightField> for WritePicture {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
-        self.write(landscape.terrain, out)
+        self.write(landscape, out)
     }
 }
 
 impl Export<Mesh> for WritePicture {
     fn export(&self, landscape: &Landscape<'_, Mesh>, out: &mut dyn Output) -> Result<()> {
-        self.write(landscape.terrain, out)
+        self.write(landscape, out)
     }
 }
 

@@ -310,7 +310,8 @@ mod tests {
         assert!(lies("a.nrrd", "porosity", "sizes: 3 2 2", "sizes: 3 2 9").contains("truncated"));
         assert!(lies("a.vti", "rock", "\"0 3 0 2 0 2\"", "\"0 9999 0 9999 0 99999\"").contains("voxels"));
         assert!(lies("a.npy", "porosity", "(2, 2, 3), }", "(2, 2, 4), }").contains("truncated"));
-        assert!(lies("a.vti", "rock", "Spacing=\"2 2 1\"", "Spacing=\"2 0 1\"").contains("above 0"));
+        assert!(lies("a.vti", "rock", "Spacing=\"2 2 1\"", "Spacing=\"2 0 1\"").contains("from 1e-6 to 1e6 m"));
+        assert!(lies("a.vti", "rock", "Spacing=\"2 2 1\"", "Spacing=\"2 1e300 1\"").contains("from 1e-6 to 1e6 m"));
     }
 
     #[test]

@@ -27,7 +27,8 @@ pub(super) fn smooth(quads: &Quads, size: [usize; 3], rounds: u32, nets: bool) -
     let hold = |i: usize, place: [f64; 3]| {
         [0, 1, 2].map(|k| {
             let is_side = home[i][k] == 0.0 || home[i][k] == size[k] as f64;
-            if is_side { home[i][k] } else { place[k].clamp(home[i][k] - FARTHEST, home[i][k] + FARTHEST) }
+            let near = place[k].clamp(home[i][k] - FARTHEST, home[i][k] + FARTHEST);
+            if is_side { home[i][k] } else { near.clamp(0.0, size[k] as f64) }
         })
     };
     let mut points = home.clone();

@@ -53,7 +53,7 @@ impl Params for VolumeFileParams {
     const INPUTS: &'static [&'static str] = &["path"];
 
     fn leaves(&self) -> Vec<String> {
-        ["rock", "material"].map(String::from).to_vec()
+        ["rock", "material", &self.field].map(String::from).to_vec()
     }
 
     fn check(&self) -> Result<()> {
@@ -77,10 +77,15 @@ impl VolumeFileParams {
     /// The low corner and the sides of a voxel, m.
     fn place(&self, volume: &VolumeFile) -> Result<([f64; 3], [f64; 3])> {
         let (low, side) = volume.place.unwrap_or(([0.0; 3], [self.cell_size.si(); 3]));
-        if side.iter().all(|s| *s > 0.0 && s.is_finite()) && low.iter().all(|v| v.is_finite()) {
-            return Ok((low, side));
+        const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+        if !side.iter().all(|s| SIZES.contains(s)) {
+            let what = format!("its voxels measure {side:?} m; expected sizes from 1e-6 to 1e6 m");
+            return Err(Error::format("volume", what));
         }
-        Err(Error::format("volume", format!("its voxels measure {side:?} m from {low:?} m; expected sizes above 0")))
+        if !low.iter().all(|v| v.abs() <= 1e9) {
+            return Err(Error::format("volume", format!("it begins at {low:?} m; expected a place within 1e9 m of 0")));
+        }
+        Ok((low, side))
     }
 }
 

@@ -32,8 +32,8 @@ pub(crate) fn snow_line(relief: f64) -> f64 {
 
 /// Level from which heights are counted in land between two levels, m: the sea's, where it rises
 /// from it.
-pub(crate) fn low_land(low: f64, high: f64) -> f64 {
-    if low < 0.0 && high > 0.0 { 0.0 } else { low }
+pub(crate) fn low_land(low: f64, high: f64, sea: f64) -> f64 {
+    if low < sea && high > sea { sea } else { low }
 }
 
 /// Whether loose sand lies on the ground.

@@ -27,10 +27,9 @@ impl Picture {
 
     /// Draws what the colours of a map mean into the lower right corner: a title, the ramp, and the
     /// values at its ends. A picture that is too small for it stays as it is.
-    pub(crate) fn legend(&mut self, title: &str, ramp: Ramp, [low, high]: [f64; 2]) {
+    pub(crate) fn legend(&mut self, title: &str, ramp: Ramp, ends: [String; 2]) {
         let scale = (self.shape.cols / 700).max(1);
         let (pad, size) = (4 * scale, LETTER * scale);
-        let ends = [low, high].map(short);
         let letters = title.chars().count().max(ends[0].len() + 2 + ends[1].len());
         let (height, width) = (3 * size + 4 * pad, letters * size + 2 * pad);
         let Some([top, left]) = self.room_for([height, width]) else { return };
@@ -78,7 +77,7 @@ impl Picture {
 }
 
 /// A number in three digits.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
@@ -111,14 +110,14 @@ mod tests {
     #[test]
     fn a_legend_shows_its_ramp_from_end_to_end() {
         let mut picture = blank(300, 400);
-        picture.legend("discharge, m3/s", Ramp::Grey, [0.0, 1.25e6]);
+        picture.legend("discharge, m3/s", Ramp::Grey, [0.0, 1.25e6].map(short));
         let changed: Vec<usize> = (0..picture.pixels.len()).filter(|&i| picture.pixels[i] != [200; 3]).collect();
         assert!(changed.iter().all(|i| i / 400 >= 260 && i % 400 >= 272) && changed.len() == 40 * 128);
         let row = |c: usize| picture.pixels[276 * 400 + c];
         assert_eq!((row(276), row(395)), ([16; 3], [248; 3]));
         // No room: nothing changes.
         let mut small = blank(60, 299);
-        small.legend("discharge, m3/s", Ramp::Grey, [0.0, 1.0]);
+        small.legend("discharge, m3/s", Ramp::Grey, [0.0, 1.0].map(short));
         assert!(small.pixels.iter().all(|p| *p == [200; 3]));
     }
 

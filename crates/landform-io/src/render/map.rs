@@ -8,6 +8,7 @@ use landform_core::{Result, math, parallel};
 
 use super::colour::{Rgb, blend, hex, mix, scale, sea, to_srgb};
 use super::cover::Cover;
+use super::label::short;
 use super::light::sky_view;
 use super::{Picture, Ramp, waters};
 
@@ -22,11 +23,13 @@ pub struct MapStyle {
     pub logarithmic: bool,
     /// Whether rivers and lakes are drawn.
     pub water: bool,
+    /// Level of the sea, m.
+    pub sea_level: f64,
 }
 
 impl Default for MapStyle {
     fn default() -> Self {
-        Self { size: 1400, ramp: Ramp::Terrain, logarithmic: false, water: true }
+        Self { size: 1400, ramp: Ramp::Terrain, logarithmic: false, water: true, sea_level: 0.0 }
     }
 }
 
@@ -45,19 +48,20 @@ const GAINED: u32 = 0xb23a2c;
 pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     let (grid, z) = (field.grid(), field.elevation());
     let (lo, hi) = range(z);
-    let has_sea = lo < 0.0 && hi > 0.0;
+    let level = style.sea_level;
+    let has_sea = lo < level && hi > level;
     let shade = relief(grid, z, hi - lo);
     let water = style.water.then(|| waters(field));
-    let land_low = if has_sea { 0.0 } else { lo };
+    let land_low = if has_sea { level } else { lo };
     let cover = Cover::of(field);
     let has_depth = field.fields().get(&names::WATER_DEPTH, "").is_ok();
     let colours = parallel::map(z.len(), |i| {
         if z[i].is_nan() {
             return hex(NOTHING);
         }
-        let under_sea = has_sea && z[i] < 0.0 && !(has_depth && water.as_ref().is_some_and(|w| w.lake[i] > 0.0));
+        let under_sea = has_sea && z[i] < level && !(has_depth && water.as_ref().is_some_and(|w| w.lake[i] > 0.0));
         let mut colour = if under_sea {
-            sea((z[i] / lo).sqrt())
+            sea(((z[i] - level) / (lo - level)).sqrt())
         } else {
             let height = (z[i] - land_low) / (hi - land_low).max(1e-9);
             // Of the ramp a little stays, lighter upwards.
@@ -98,10 +102,16 @@ pub(crate) fn field_map_with_legend(
     style: &MapStyle,
 ) -> Result<Picture> {
     let (mut picture, (low, high)) = ranged_field_map(field, values, style)?;
-    let end = |v: f64| if style.logarithmic { math::pow(10.0, v) } else { v };
-    if low <= high {
-        let title = if style.logarithmic { format!("{title}, log") } else { title.into() };
-        picture.legend(&title, style.ramp, [end(low), end(high)]);
+    if low > high {
+        return Ok(picture);
+    }
+    if style.logarithmic && values.iter().any(|&v| v > 0.0) {
+        // The lowest colour is that of all that is less, too.
+        let [least, most] = [low, high].map(|v| short(math::pow(10.0, v)));
+        picture.legend(&format!("{title}, log"), style.ramp, [format!("<={least}"), most]);
+    } else {
+        let ends = if style.logarithmic { [0.0; 2] } else { [low, high] };
+        picture.legend(title, style.ramp, ends.map(short));
     }
     Ok(picture)
 }
@@ -217,7 +227,30 @@ fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{View, perspective};
     use super::*;
+
+    #[test]
+    fn the_sea_stands_at_its_level() {
+        let at = |shift: f64| {
+            let hills = (0..900).map(|i| 40.0 * math::sin(0.3 * f64::from(i % 30)) + f64::from(i / 30) - shift);
+            HeightField::new(Grid::new(Shape::new(30, 30), [16.0, 16.0]).unwrap(), hills.collect()).unwrap()
+        };
+        let map = |shift: f64, sea_level: f64| {
+            shaded_map(&at(shift), &MapStyle { size: 60, sea_level, ..MapStyle::default() }).unwrap()
+        };
+        let view = |shift: f64, sea_level: f64| {
+            perspective(&at(shift), &View { width: 96, height: 54, sea_level, ..View::default() })
+        };
+        for draw in [&map as &dyn Fn(f64, f64) -> Picture, &view] {
+            // Metres are added without rounding.
+            let (lower, higher) = (draw(32.0, 0.0), draw(0.0, 32.0));
+            let far = |(a, b): (&[u8; 3], &[u8; 3])| (0..3).any(|k| a[k].abs_diff(b[k]) > 2);
+            let differ = lower.pixels.iter().zip(&higher.pixels).filter(|p| far(*p)).count();
+            assert!(50 * differ < lower.pixels.len(), "{differ} of {}", lower.pixels.len());
+            assert!(draw(0.0, 0.0) != higher);
+        }
+    }
 
     #[test]
     fn zeros_do_not_stretch_a_logarithmic_ramp() {

@@ -64,8 +64,8 @@ pub struct KarstNetwork {
     /// more than the longer side of the map.
     #[schemars(extend("x-min" = 0.0, "x-max" = 10_000.0))]
     pub phreatic_depth: Length,
-    /// Distance between places that ways are made of, a two-thousandth of the longer side of the map
-    /// at least. If not given, it is a hundredth.
+    /// Distance between places that ways are made of, a two-thousandth of the longer side of the
+    /// map at least. If not given, it is a hundredth.
     #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
     pub step: Option<Length>,
     /// Shortest paths: power of the cost at which a detour is preferred. The greater, the fewer

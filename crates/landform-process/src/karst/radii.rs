@@ -2,8 +2,8 @@
 //!
 //! Water enters at sinkholes and, a little, at dead ends; it leaves at springs. Along branches its
 //! way is known. Through loops it follows from the conductance of each passage, r⁴ over its length,
-//! in turns with the radii. Where passages join, the cube of the radius is the sum of theirs (Murray
-//! 1926).
+//! in turns with the radii. Where passages join, the cube of the radius is the sum of theirs
+//! (Murray 1926).
 
 use landform_core::feature::ConduitNetwork;
 use landform_core::math;
@@ -24,8 +24,8 @@ struct Flow {
     flow: Vec<f64>,
 }
 
-/// The share of all water in each conduit, 0 to 1; negative where it runs against its nodes. Conduits
-/// end at sinkholes and springs.
+/// The share of all water in each conduit, 0 to 1; negative where it runs against its nodes.
+/// Conduits end at sinkholes and springs.
 pub(super) fn shares(network: &ConduitNetwork, sinkholes: &[u32], springs: &[u32]) -> Vec<f64> {
     let n = network.nodes.len();
     let ends: Vec<[usize; 2]> =

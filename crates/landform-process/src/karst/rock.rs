@@ -446,6 +446,10 @@ fn springs(params: &KarstNetwork, rock: &Rock<'_>, side: f64) -> Result<Vec<(Vec
             return Err(Error::parameter("springs", given, "places on the map, on ground with data"));
         }
         let level = level.unwrap_or(top);
+        if level > top {
+            let expected = format!("at most {} m, the ground there: water leaves through it", number_text(top));
+            return Err(Error::parameter("springs.water_table", format!("{} m", number_text(level)), &expected));
+        }
         if level < top - side {
             let expected = format!("at least {} m there: no deeper than the map is wide", top - side);
             return Err(Error::parameter("springs.water_table", format!("{} m", number_text(level)), &expected));

@@ -311,8 +311,8 @@ fn what_cannot_be_is_refused() {
     refused(KarstNetwork { bend: Some(of(1e-3)), ..network() }, "2 m to 500 m");
     refused(KarstNetwork { bend: Some(of(5000.0)), ..network() }, "2 m to 500 m");
     refused(KarstNetwork { phreatic_depth: of(5000.0), ..network() }, "`phreatic_depth`");
-    refused(KarstNetwork { springs: vec![spring(1900.0, 500.0)], ..network() }, "under the water table");
-    refused(KarstNetwork { springs: vec![spring(1900.0, 145.0)], ..network() }, "twice the rock");
+    refused(KarstNetwork { springs: vec![spring(1900.0, 500.0)], ..network() }, "water leaves through it");
+    refused(KarstNetwork { springs: vec![spring(100.0, 145.0)], ..network() }, "twice the rock");
     refused(KarstNetwork { springs: vec![spring(1900.0, -90_000.0)], ..network() }, "springs.water_table");
     refused(KarstNetwork { springs: vec![spring(9000.0, 20.0)], ..network() }, "on the map");
     refused(KarstNetwork { springs: vec![spring(1900.0, 20.0), spring(1900.0, 30.0)], ..network() }, "twice");

@@ -37,7 +37,7 @@ impl Visit for Evolving<'_, '_> {
         let model = self.model(terrain)?;
         let resume = self.options.resume && self.checkpoint.as_ref().is_some_and(Checkpoint::is_there);
         let saves = self.checkpoint.is_some();
-        let watcher = self.watch.map(|watch| Watcher::new(watch, clock.timeless));
+        let watcher = self.watch.map(|watch| Watcher::new(watch, &self.recipe.environment, clock.timeless));
         let beside = Mutex::new(Beside { watcher, checkpoint: self.checkpoint });
         let mut simulation = Simulation::of(model).until(clock.stop()).refine(clock.refine);
         simulation = simulation.observe(Every::Steps(1), steps(clock.stop(), self.options.progress));

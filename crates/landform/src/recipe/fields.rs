@@ -41,12 +41,12 @@ impl Known {
             self.need_features(part.stage())?;
             self.1.insert(part.stage().name);
         }
-        // Processes on one clock may read what the others leave.
+        // Processes on one clock may read what the others leave; a file's own field is its own.
         let leaves: Vec<&str> = entry.work.parts().iter().flat_map(|part| part.leaves()).collect();
-        let is_process = entry.work.verb() == Verb::Process;
+        let reads_own = [Verb::Process, Verb::Generate].contains(&entry.work.verb());
         for part in entry.work.parts() {
             for name in asked(part.parameters()) {
-                let is_left = self.0.contains(name) || is_process && leaves.contains(&name);
+                let is_left = self.0.contains(name) || reads_own && leaves.contains(&name);
                 if !is_left && !always(name, materials) {
                     let available = self.names();
                     let needed_by = format!("`{}`", part.stage().name);

@@ -9,8 +9,8 @@ use landform_core::analysis::{Summary, summary};
 use landform_core::grid::{Domain, Status};
 use landform_core::sim::{Every, View};
 use landform_core::terrain::{AnyTerrain, Body, NodeSurface, Surface, Visit, not_a_surface};
-use landform_core::units::{Duration, YEAR};
-use landform_core::verb::{Output, Params, file_path};
+use landform_core::units::{Duration, Length, YEAR};
+use landform_core::verb::{Environment, Output, Params, file_path};
 use landform_core::{Error, Result};
 use landform_io::export::{ViewKind, WritePicture};
 use landform_io::format::{animation_extension, encode_animation, encode_png};
@@ -151,6 +151,7 @@ impl Watch {
 /// Rows and pictures so far.
 pub(super) struct Watcher<'a> {
     watch: &'a Watch,
+    environment: &'a Environment,
     rows: String,
     frames: Vec<Picture>,
     /// Bytes of rows and number of frames that a checkpoint holds.
@@ -161,12 +162,20 @@ pub(super) struct Watcher<'a> {
 }
 
 impl<'a> Watcher<'a> {
-    pub(super) fn new(watch: &'a Watch, timeless: bool) -> Self {
+    pub(super) fn new(watch: &'a Watch, environment: &'a Environment, timeless: bool) -> Self {
         let seconds = if watch.seconds { ",seconds" } else { "" };
         let rows = format!(
             "step,time_yr,dt_yr,lakes,min_m,mean_m,max_m,residual,supplied_m3,eroded_m3,deposited_m3,exported_m3{seconds}\n"
         );
-        Self { watch, kept: (rows.len(), 0), rows, frames: Vec::new(), timeless, started: std::time::Instant::now() }
+        Self {
+            watch,
+            environment,
+            kept: (rows.len(), 0),
+            rows,
+            frames: Vec::new(),
+            timeless,
+            started: std::time::Instant::now(),
+        }
     }
 
     pub(super) fn look<T: Surface>(&mut self, view: &View<T>) -> Result<ControlFlow<()>> {
@@ -179,7 +188,8 @@ impl<'a> Watcher<'a> {
             if self.frames.len() == MOST_FRAMES {
                 return Err(Error::parameter("watch", format!("more than {MOST_FRAMES} frames"), "a longer `every`"));
             }
-            let mut frame = self.watch.picture().draw(&*terrain)?;
+            let sea_level = Some(Length::of(self.environment.sea_level_at(view.time)));
+            let mut frame = WritePicture { sea_level, ..self.watch.picture() }.draw(&*terrain)?;
             if self.watch.clock {
                 frame.label(&self.time(view.steps, view.time));
             }

@@ -109,7 +109,7 @@ impl Scene<'_> {
     fn colours(&self) -> String {
         let Ground { low, high, is_desert } = self.ground;
         let factor = self.view.exaggeration;
-        let base = low_land(low, high);
+        let base = low_land(low, high, self.sea.unwrap_or(0.0));
         let relief = (high - base).max(1e-6);
         let [w, h] = self.grid.extent();
         let size = w.max(h);

@@ -55,6 +55,8 @@ pub struct View {
     pub samples: usize,
     /// Whether rivers and lakes are drawn.
     pub water: bool,
+    /// Level of the sea, m.
+    pub sea_level: f64,
     /// Where the eye stands; none for a block that is seen from outside.
     pub standpoint: Option<Standpoint>,
 }
@@ -96,6 +98,7 @@ impl Default for View {
             zoom: 1.0,
             samples: 2,
             water: true,
+            sea_level: 0.0,
             standpoint: None,
         }
     }

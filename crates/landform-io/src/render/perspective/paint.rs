@@ -7,6 +7,7 @@ use landform_core::math;
 use landform_core::random::Seed;
 use landform_core::terrain::HeightField;
 
+use super::View;
 use crate::render::colour::{Rgb, blend, from_oklab, hex, to_oklab};
 use crate::render::cover::Cover;
 use crate::render::ground;
@@ -54,8 +55,8 @@ pub(super) struct PaintedRow {
 
 impl Paint {
     /// `river` as [`waters`](crate::render::waters) has it; empty where none are drawn.
-    pub(super) fn new(field: &HeightField, river: Vec<f64>, (lo, hi): (f64, f64), exaggeration: f64) -> Self {
-        let low = ground::low_land(lo, hi);
+    pub(super) fn new(field: &HeightField, river: Vec<f64>, (lo, hi): (f64, f64), view: &View) -> Self {
+        let (exaggeration, low) = (view.exaggeration, ground::low_land(lo, hi, view.sea_level));
         Self {
             inks: Inks::new(),
             river,
@@ -89,7 +90,7 @@ impl Paint {
             fractal.along(Seed(seed), &xs, &ys, &mut noise);
             noise
         };
-        let stands = if self.is_desert() { Vec::new() } else { noise(90.0, 5, 4, 2.1, 0.6) };
+        let stands = if self.is_desert() { Vec::new() } else { noise(60.0, 5, 6, 2.1, 0.7) };
         PaintedRow { patches: noise(24.0, 3, 5, 2.0, 0.55), stands }
     }
 
@@ -107,8 +108,8 @@ impl Paint {
         if let Some(stands) = stands {
             // Trees like the shade, and leave heights and the steepest ground.
             let shady = (-gradient.y / self.exaggeration).clamp(-0.6, 0.6);
-            let room = 0.45 + 0.8 * stands + 0.7 * shady - 1.3 * math::smoothstep(0.40, 0.72, height);
-            let share = math::smoothstep(0.3, 0.6, room - math::smoothstep(0.75, 1.2, slope));
+            let room = 0.43 + 0.6 * stands + 0.6 * patch + 0.7 * shady - 1.3 * math::smoothstep(0.40, 0.72, height);
+            let share = math::smoothstep(0.2, 0.75, room - math::smoothstep(0.75, 1.2, slope));
             colour = mean(colour, patched(*forest, 0.8), 0.9 * share);
         }
         let steep = math::smoothstep(rock_from, rock_to, slope + 0.12 * patch + 0.3 * (height - 0.35).max(0.0));

@@ -111,7 +111,7 @@ impl<'a> Scene<'a> {
         let ground: Vec<f64> =
             field.elevation().iter().map(|&z| if z.is_nan() { lo } else { z } * view.exaggeration).collect();
         let Waters { lake, river } = waters(field);
-        let depth = block::water_depth(field, &lake, (lo, hi), 0.0, view.water);
+        let depth = block::water_depth(field, &lake, (lo, hi), view.sea_level, view.water);
         let surface: Vec<f64> = (0..ground.len()).map(|i| ground[i] + depth[i] * view.exaggeration).collect();
         let (low, high) = (lo * view.exaggeration, hi * view.exaggeration);
         let surface_high = surface.iter().copied().fold(high, f64::max);
@@ -125,7 +125,7 @@ impl<'a> Scene<'a> {
             (true, true) => (Vec::new(), river),
         };
         let stream = |i: usize| streams.get(i).map_or(0.0, |s| 0.8 * math::smoothstep(0.45, 0.8, *s));
-        let paint = Paint::new(field, inked, (lo, hi), view.exaggeration);
+        let paint = Paint::new(field, inked, (lo, hi), view);
         let cols = grid.shape.cols;
         let mut skin = vec![[0.0; 10]; ground.len()];
         parallel::for_rows_mut(&mut skin, cols, |row, skins| {
@@ -161,9 +161,10 @@ impl<'a> Scene<'a> {
             // A model stands before a backdrop, land under the sky.
             sky: Sky::rising_from(if view.standpoint.is_some() { -0.06 } else { -0.35 }),
             around: view.standpoint.map(|_| {
-                let is_sea = hi > 0.0 && wet_border(grid.shape, field.elevation()) > 0.3;
+                let sea = view.sea_level;
+                let is_sea = hi > sea && wet_border(grid.shape, field.elevation(), sea) > 0.3;
                 Around {
-                    level: if is_sea { 0.0 } else { low },
+                    level: if is_sea { sea * view.exaggeration } else { low },
                     colour: hex(if paint.is_desert() { 0xc9ab80 } else { 0x77764f }),
                     is_sea,
                     clear: CLEAR_AIR.max(1.5 * extent[0].max(extent[1])),
@@ -392,11 +393,12 @@ fn grain(seed: Seed, p: Vector, normal: Vector) -> (f64, Vector) {
     (sum, rise)
 }
 
-/// Part of the border that lies below 0.
-fn wet_border(shape: Shape, z: &[f64]) -> f64 {
+/// Part of the border that lies below a level, m.
+fn wet_border(shape: Shape, z: &[f64], level: f64) -> f64 {
     let Shape { rows, cols } = shape;
     let sides = (0..cols).flat_map(|c| [(0, c), (rows - 1, c)]).chain((0..rows).flat_map(|r| [(r, 0), (r, cols - 1)]));
-    let (wet, all) = sides.fold((0, 0), |(wet, all), (r, c)| (wet + usize::from(z[shape.index(r, c)] < 0.0), all + 1));
+    let (wet, all) =
+        sides.fold((0, 0), |(wet, all), (r, c)| (wet + usize::from(z[shape.index(r, c)] < level), all + 1));
     wet as f64 / f64::from(all.max(1))
 }
 

@@ -93,6 +93,10 @@ impl Params for Tunnels {
         doi: "10.1130/0016-7606(1991)103<0001:OAMOLC>2.3.CO;2",
     }];
 
+    fn leaves(&self) -> Vec<String> {
+        ["rock", "material"].map(String::from).to_vec()
+    }
+
     fn check(&self) -> Result<()> {
         if self.around.feature == FeatureWord::Conduits {
             return Ok(());

@@ -172,7 +172,9 @@ impl Fit {
         found.table = table(self.over.iter().map(|span| span.key.as_str()), &found.rows);
         if let Some(best) = found.best.map(|k| &found.rows[k]) {
             let set = |(span, value): (&Span, &String)| format!("--set \"{}={value}\"", span.key);
-            found.set = Some(self.over.iter().zip(&best.values).map(set).collect::<Vec<_>>().join(" "));
+            let keys = self.over.iter().zip(&best.values).map(set);
+            // Another seed's runs are found again with it alone.
+            found.set = Some(keys.chain(self.seed.map(|seed| format!("--seed {seed}"))).collect::<Vec<_>>().join(" "));
             found.value = self.value(best);
         }
         found.failure = found.failure.take().or_else(|| self.verdict(&found));
