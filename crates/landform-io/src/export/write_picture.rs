@@ -217,6 +217,14 @@ impl WritePicture {
     }
 
     /// The same picture with the sea of an environment, where it has no level of its own.
+    ///
+    /// ```
+    /// use landform_core::verb::Environment;
+    /// use landform_io::export::WritePicture;
+    ///
+    /// let plain = WritePicture::default().in_environment(&Environment::default());
+    /// assert!(plain.sea_level.is_none());
+    /// ```
     #[must_use]
     pub fn in_environment(self, environment: &Environment) -> Self {
         let sea_level = environment.sea(self.sea_level).map(Length::of);
