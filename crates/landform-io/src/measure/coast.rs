@@ -16,13 +16,13 @@ use serde::{Deserialize, Serialize};
 pub struct MeasureCoast {
     /// Path below the output folder.
     pub path: String,
-    /// Level of the sea.
-    pub level: Length,
+    /// Level of the sea. If not given, it is the environment's, or else 0 m.
+    pub level: Option<Length>,
 }
 
 impl Default for MeasureCoast {
     fn default() -> Self {
-        Self { path: "coast.json".into(), level: Length::of(0.0) }
+        Self { path: "coast.json".into(), level: None }
     }
 }
 
@@ -56,6 +56,30 @@ impl<T: Rasterize> Measure<T> for MeasureCoast {
     fn measure(&self, landscape: &Landscape<'_, T>) -> Result<Coast> {
         let terrain = landscape.terrain;
         let raster = terrain.rasterized()?;
-        Ok(coast(raster.grid(), raster.elevation(), self.level.si()).0)
+        let level = landscape.environment.sea(self.level).unwrap_or(0.0);
+        Ok(coast(raster.grid(), raster.elevation(), level).0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use landform_core::grid::{Grid, Shape};
+    use landform_core::terrain::HeightField;
+    use landform_core::verb::Environment;
+
+    use super::*;
+
+    #[test]
+    fn the_sea_is_the_environments_unless_a_level_is_given() {
+        let slope = (0..400).map(|i| f64::from(i % 20)).collect();
+        let field = HeightField::new(Grid::new(Shape::new(20, 20), [10.0, 10.0]).unwrap(), slope).unwrap();
+        let environment: Environment = serde_json::from_str(r#"{ "sea_level": "14.5 m" }"#).unwrap();
+        let mut landscape = Landscape::plain(&field);
+        landscape.environment = &environment;
+        let land = |level: Option<f64>| {
+            let measure = MeasureCoast { level: level.map(Length::of), ..MeasureCoast::default() };
+            measure.measure(&landscape).unwrap().land_share
+        };
+        assert!((land(None) - 0.25).abs() < 0.03 && (land(Some(9.5)) - 0.5).abs() < 0.03);
     }
 }

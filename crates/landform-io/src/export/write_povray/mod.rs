@@ -78,6 +78,10 @@ impl Params for WritePovray {
 
     fn check(&self) -> Result<()> {
         check_path(&self.path, &["pov"])?;
+        if !self.path.chars().all(|c| c.is_ascii_graphic() && c != '\\' || c == ' ') {
+            let expected = "a path of plain letters (ASCII), without a backslash: POV-Ray reads no others";
+            return Err(Error::parameter("path", format!("{:?}", self.path), expected));
+        }
         let numbers = [("exaggeration", self.exaggeration), ("zoom", self.zoom)];
         match numbers.into_iter().find(|n| !n.1.is_finite()) {
             Some((name, value)) => Err(Error::parameter(name, value, "a finite number, such as 1.5")),

@@ -140,6 +140,11 @@ fn level_ground_is_a_scene_and_a_single_node_is_not() {
     }
     let named = WritePovray { path: "scene.png".into(), ..WritePovray::default() };
     assert!(matches!(named.check(), Err(Error::Extension { .. })));
+    for path in ["é.pov", "a\\b.pov", "a\nb.pov"] {
+        let odd = WritePovray { path: path.into(), ..WritePovray::default() };
+        assert!(odd.check().is_err(), "{path}");
+    }
+    assert!(WritePovray { path: "my scene.pov".into(), ..WritePovray::default() }.check().is_ok());
 }
 
 #[test]
