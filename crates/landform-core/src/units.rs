@@ -310,6 +310,17 @@ pub fn number_text(value: f64) -> String {
     if is_plain { value.to_string() } else { format!("{value:e}") }
 }
 
+/// A place on the map as people read it, m.
+///
+/// ```
+/// use landform_core::units::place_text;
+///
+/// assert_eq!(place_text([1250.5, 1e20]), "1250.5, 1e20 m");
+/// ```
+pub fn place_text([x, y]: [f64; 2]) -> String {
+    format!("{}, {} m", number_text(x), number_text(y))
+}
+
 /// The value without the noise that division by a unit leaves in the last digits.
 fn short(value: f64) -> f64 {
     format!("{value:.12e}").parse().unwrap_or(value)

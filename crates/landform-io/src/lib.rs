@@ -19,6 +19,7 @@ pub mod measure;
 pub mod memory;
 pub mod render;
 pub mod report;
+mod vector;
 
 /// The rows of all stages that read, measure and write.
 pub static STAGES: &[&[landform_core::stage::Stage]] = &[import::STAGES, measure::STAGES, export::STAGES];

@@ -231,8 +231,7 @@ impl ConduitNetwork {
                 let values = conduit.passages.iter().map(|p| p.get(name)).collect();
                 (name.to_string(), Property::Numbers(values))
             });
-            let length = line.windows(2).map(|w| distance(w[0], w[1])).sum::<f64>();
-            let length = ("length_m".to_string(), Property::Number((length * 100.0).round() / 100.0));
+            let length = ("length_m".to_string(), Property::Number((self.length_of(conduit) * 100.0).round() / 100.0));
             let properties = std::iter::once(length).chain(walls).collect();
             Feature { id: (k + 1).to_string(), kind: FeatureKind::Conduit, geometry: Geometry::Line(line), properties }
         };
@@ -302,6 +301,19 @@ impl ConduitNetwork {
     pub fn length(&self) -> f64 {
         let piece = |[a, b]: [u32; 2]| distance(self.nodes[a as usize], self.nodes[b as usize]);
         self.edges().into_iter().map(piece).sum()
+    }
+
+    /// The length of one of its conduits, m.
+    ///
+    /// ```
+    /// use landform_core::feature::{ConduitNetwork, Passage};
+    ///
+    /// let nodes = vec![[0.0, 0.0, 9.0], [10.0, 0.0, 9.0], [10.0, 5.0, 9.0]];
+    /// let bend = ConduitNetwork::from_edges(nodes, &[[0, 1], [1, 2]], |_| Passage::round(1.0));
+    /// assert_eq!(bend.length_of(&bend.conduits[0]), 15.0);
+    /// ```
+    pub fn length_of(&self, conduit: &Conduit) -> f64 {
+        conduit.nodes.windows(2).map(|w| distance(self.nodes[w[0] as usize], self.nodes[w[1] as usize])).sum()
     }
 }
 

@@ -8,7 +8,7 @@ use serde_json::Value as Json;
 use super::parameters::{Parameters, Refusal};
 use super::row::{Act, Run, Stage};
 use crate::terrain::{AnyTerrain, HeightField, Kind, Terrain, bytes_a_node};
-use crate::units::number_text;
+use crate::units::place_text;
 use crate::verb::{Context, ELEVATIONS, Estimate, Landscape, Output, OwnClock, Params, Reach, coarser};
 use crate::{Error, Result};
 
@@ -77,8 +77,7 @@ impl ReadStage {
         match self.parameters.places.iter().find(|(_, [x, y])| !(w..=e).contains(x) || !(s..=n).contains(y)) {
             Some((name, [x, y])) => {
                 let allowed = format!("a place on the map, {w:.0} to {e:.0} m east and {s:.0} to {n:.0} m north");
-                let [x, y] = [x, y].map(|v| number_text(v.round()));
-                Err(Error::parameter(name, format!("{x}, {y} m"), &allowed))
+                Err(Error::parameter(name, place_text([x.round(), y.round()]), &allowed))
             }
             None => Ok(()),
         }

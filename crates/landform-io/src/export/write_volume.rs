@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use crate::format::write_nrrd;
+use crate::format::{from_the_south, write_nrrd};
 
 /// Writes the values of voxels; the extension sets the format: vti (VTK image data, for ParaView;
 /// x east, y north, z up), nrrd (one field, the same axes) or npy (one field, indexed by level from
@@ -58,12 +58,6 @@ impl Values<'_> {
             Self::Real(_) => ["Float32", "<f4"],
         }
     }
-}
-
-/// Voxels in rows from the south; ours run from the north.
-fn from_the_south([nx, ny, nz]: [usize; 3]) -> impl Iterator<Item = usize> {
-    let rows = (0..nz).flat_map(move |z| (0..ny).rev().map(move |y| (z * ny + y) * nx));
-    rows.flat_map(move |first| first..first + nx)
 }
 
 impl Params for WriteVolume {

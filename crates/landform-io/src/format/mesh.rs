@@ -9,6 +9,7 @@ use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, Vox
 use landform_core::{Error, Result};
 
 use super::smooth::smooth;
+use crate::vector::{Vector, cross, sub};
 
 /// Points and triangles, z up, metres, counter-clockwise seen from above.
 #[derive(Clone, Debug, PartialEq)]
@@ -150,7 +151,7 @@ impl MeshFile {
     pub(super) fn normals(&self) -> Vec<[f32; 3]> {
         let mut normals = vec![[0.0_f64; 3]; self.points.len()];
         for t in &self.triangles {
-            let n = cross(t.map(|i| self.points[i as usize]));
+            let n = across(t.map(|i| self.points[i as usize]));
             for &i in t {
                 for k in 0..3 {
                     normals[i as usize][k] += n[k];
@@ -162,13 +163,13 @@ impl MeshFile {
 
     /// Unit normal of a triangle.
     pub(super) fn face_normal(&self, triangle: [u32; 3]) -> [f32; 3] {
-        unit(cross(triangle.map(|i| self.points[i as usize])))
+        unit(across(triangle.map(|i| self.points[i as usize])))
     }
 }
 
-fn cross([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let (u, v) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
-    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+/// Twice the area of a triangle, across it.
+fn across([a, b, c]: [Vector; 3]) -> Vector {
+    cross(sub(b, a), sub(c, a))
 }
 
 fn unit(v: [f64; 3]) -> [f32; 3] {
@@ -191,7 +192,7 @@ mod tests {
         let surface = mesh_file_from_height_field(&field);
         let prism = |t: &[u32; 3]| {
             let mean = t.iter().map(|&i| surface.points[i as usize][2]).sum::<f64>() / 3.0;
-            0.5 * cross(t.map(|i| surface.points[i as usize]))[2] * (mean + 5.0)
+            0.5 * across(t.map(|i| surface.points[i as usize]))[2] * (mean + 5.0)
         };
         let expected: f64 = surface.triangles.iter().map(prism).sum();
         let body = surface.clone().solid(5.0);

@@ -64,7 +64,7 @@ pub use table::{
     MESH_FORMATS, MeshFormat, RASTER_FORMATS, RasterFormat, load_raster, mesh_format, raster_format,
     raster_format_to_write, read_grid, read_raster,
 };
-pub(crate) use volume::{Array, VolumeFile, read_volume, write_nrrd};
+pub(crate) use volume::{Array, VolumeFile, from_the_south, read_volume, write_nrrd};
 
 use landform_core::{Error, Result};
 

@@ -9,6 +9,8 @@
 use landform_core::algo::DisjointSets;
 use landform_core::algo::polygonise::Quads;
 
+use crate::vector::{cross, dot, sub};
+
 /// Parts of the way to the mean of the neighbours, there and back (Taubin 1995, section 4).
 const WAYS: [f64; 2] = [0.6307, -0.6732];
 /// How far a point may move along an axis, voxels.
@@ -78,27 +80,27 @@ impl Bodies {
         }
         let of: Vec<u32> = (0..home.len() as u32).map(|v| sets.root(v)).collect();
         let mut bodies = Self { of, volumes: Vec::new() };
-        bodies.volumes = bodies.measure(quads, home).into_iter().map(|b| b[0]).collect();
+        bodies.volumes = bodies.measure(quads, home, &areas(quads, home)).into_iter().map(|b| b[0]).collect();
         bodies
     }
 
     /// The volume of each body and what a unit shift across its surface adds, by its first vertex.
-    fn measure(&self, quads: &Quads, points: &[[f64; 3]]) -> Vec<[f64; 2]> {
+    fn measure(&self, quads: &Quads, points: &[[f64; 3]], areas: &[[f64; 3]]) -> Vec<[f64; 2]> {
         let mut found = vec![[0.0; 2]; points.len()];
         for face in &quads.faces {
             let [a, b, c, d] = face.map(|v| points[v as usize]);
             found[self.of[face[0] as usize] as usize][0] += (dot(a, cross(b, c)) + dot(a, cross(c, d))) / 6.0;
         }
-        for (v, across) in areas(quads, points).into_iter().enumerate() {
-            found[self.of[v] as usize][1] += dot(across, across).sqrt();
+        for (v, across) in areas.iter().enumerate() {
+            found[self.of[v] as usize][1] += dot(*across, *across).sqrt();
         }
         found
     }
 
     /// Shifts points across the surface until bodies have their volume again.
     fn fill(&self, quads: &Quads, points: &mut [[f64; 3]], hold: impl Fn(usize, [f64; 3]) -> [f64; 3]) {
-        let found = self.measure(quads, points);
         let areas = areas(quads, points);
+        let found = self.measure(quads, points, &areas);
         for (v, across) in areas.into_iter().enumerate() {
             let body = self.of[v] as usize;
             let ([volume, area], length) = (found[body], dot(across, across).sqrt());
@@ -115,19 +117,10 @@ fn areas(quads: &Quads, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 3]; points.len()];
     for face in &quads.faces {
         let [a, b, c, d] = face.map(|v| points[v as usize]);
-        let less = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| p[k] - q[k]);
-        let across = cross(less(c, a), less(d, b));
+        let across = cross(sub(c, a), sub(d, b));
         face.iter().for_each(|&v| (0..3).for_each(|k| sums[v as usize][k] += 0.125 * across[k]));
     }
     sums
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
 }
 
 #[cfg(test)]
@@ -143,7 +136,7 @@ mod tests {
         let points = smooth(&quads, size, rounds, nets);
         let home: Vec<[f64; 3]> = quads.vertices.iter().map(|v| v.map(f64::from)).collect();
         let bodies = Bodies::of(&quads, &home);
-        let ratios = bodies.measure(&quads, &points).into_iter().zip(&bodies.volumes);
+        let ratios = bodies.measure(&quads, &points, &areas(&quads, &points)).into_iter().zip(&bodies.volumes);
         let ratios = ratios.filter(|(_, before)| **before != 0.0).map(|(now, before)| now[0] / before);
         ratios.fold((f64::INFINITY, 0.0), |(low, high), r| (low.min(r), high.max(r)))
     }

@@ -14,7 +14,7 @@ use landform_core::{math, parallel};
 
 use super::Picture;
 use super::colour::{Rgb, blend, hex, mix, scale, to_srgb};
-use super::vector::{Vector, along, cross, dot, normalize};
+use crate::vector::{Vector, along, cross, dot, normalize};
 
 /// How a block is looked at.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@ use landform_core::field::names;
 use landform_core::math;
 use landform_core::terrain::{HeightField, NodeSurface};
 
-use super::cover::Cover;
+use super::ground::is_desert;
 
 /// Standing and running water on a raster.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ const SHALLOWEST_KNOWN: f64 = 0.1;
 /// else by routing over it; none where there is loose sand, in which it would sink.
 pub fn waters(field: &HeightField) -> Waters {
     let n = field.grid().len();
-    if Cover::of(field).is_desert() {
+    if is_desert(field) {
         return Waters { lake: vec![0.0; n], river: vec![0.0; n] };
     }
     if let Ok(depth) = field.fields.get(&names::WATER_DEPTH, "") {

@@ -1,9 +1,8 @@
 //! Colours that ground has by its slope and height, wherever it is drawn in perspective.
 
 use landform_core::math;
-use landform_core::terrain::HeightField;
+use landform_core::terrain::{HeightField, NodeSurface};
 
-use super::cover::Cover;
 pub(crate) use super::cover::SAND;
 
 /// Colours of the ground: each a pair between which patches vary, sRGB.
@@ -38,5 +37,5 @@ pub(crate) fn low_land(low: f64, high: f64, sea: f64) -> f64 {
 
 /// Whether loose sand lies on the ground.
 pub(crate) fn is_desert(field: &HeightField) -> bool {
-    Cover::of(field).is_desert()
+    field.depth("sand").is_some()
 }

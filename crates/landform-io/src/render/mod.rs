@@ -25,7 +25,6 @@ mod light;
 mod map;
 mod perspective;
 mod pyramid;
-mod vector;
 
 use landform_core::grid::Shape;
 use serde::{Deserialize, Serialize};

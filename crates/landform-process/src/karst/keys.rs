@@ -1,6 +1,6 @@
 //! Places that a network must reach: sinkholes and the feet of their shafts, waypoints.
 
-use landform_core::units::{Length, number_text};
+use landform_core::units::{Length, place_text};
 use landform_core::{Error, Result, math};
 
 use super::rock::Rock;
@@ -41,10 +41,7 @@ impl Keys {
 
 fn given(number: u64, [x, y]: [f64; 2], rock: &Rock<'_>) -> Result<Vec<Vector>> {
     let z = rock.surface(x, y);
-    let refused = |expected: &str| {
-        let given = format!("{}, {} m", number_text(x), number_text(y));
-        Err(Error::parameter("sinkholes", given, expected))
-    };
+    let refused = |expected: &str| Err(Error::parameter("sinkholes", place_text([x, y]), expected));
     if !z.is_finite() {
         return refused("places on the map, on ground with data");
     }

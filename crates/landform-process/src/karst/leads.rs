@@ -27,9 +27,8 @@ const GROUPS: f64 = 0.25;
 pub(super) fn add(skeleton: &mut Skeleton, count: usize, rock: &Rock<'_>, seed: Seed) {
     let joined = skeleton.joined();
     // Nodes along passages, with the next on either side.
-    let along = |n: &u32| <[u32; 2]>::try_from(joined[*n as usize].as_slice()).ok().map(|next| (*n, next));
-    let mut starts: Vec<(u32, [u32; 2])> =
-        (0..joined.len() as u32).collect::<Vec<_>>().iter().filter_map(along).collect();
+    let along = |n: u32| <[u32; 2]>::try_from(joined[n as usize].as_slice()).ok().map(|next| (n, next));
+    let mut starts: Vec<(u32, [u32; 2])> = (0..joined.len() as u32).filter_map(along).collect();
     let mut forks = Cells::new(SPACING * rock.bend);
     (0..joined.len()).filter(|n| joined[*n].len() > 2).for_each(|n| forks.add(n as u32, skeleton.nodes[n]));
     let mut passages = Cells::new(rock.step);

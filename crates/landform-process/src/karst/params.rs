@@ -3,7 +3,7 @@
 use std::fmt;
 
 use landform_core::math::{self, distance};
-use landform_core::units::{Angle, Length, number_text};
+use landform_core::units::{Angle, Length, place_text};
 use landform_core::verb::{Params, Source};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
@@ -377,7 +377,7 @@ impl KarstNetwork {
         let close = named.windows(2).find(|w| math::hypot(w[0].1[0] - w[1].1[0], w[0].1[1] - w[1].1[1]) < NEAREST);
         if let Some([a, b]) = close.map(|w| [w[0], w[1]]) {
             let name = if a.0 == "sinkholes" { a.0 } else { b.0 };
-            let given = format!("{}, {} m twice", number_text(a.1[0]), number_text(a.1[1]));
+            let given = format!("{} twice", place_text(a.1));
             return Err(Error::parameter(name, given, "a place of its own for each sinkhole and spring"));
         }
         let in_sphere = |w: &&[Length; 3]| {

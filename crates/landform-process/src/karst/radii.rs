@@ -8,8 +8,6 @@
 use landform_core::feature::ConduitNetwork;
 use landform_core::math;
 
-use super::space::distance;
-
 /// Water of a dead end, where a sinkhole has 1.
 const SEEPAGE: f64 = 0.1;
 /// Turns of water and radii.
@@ -42,12 +40,7 @@ pub(super) fn shares(network: &ConduitNetwork, sinkholes: &[u32], springs: &[u32
     let mut flow = Flow { ends, supply, is_spring, flow };
     let rings = flow.along_branches();
     if !rings.is_empty() {
-        let length = |k: &usize| {
-            let nodes = &network.conduits[*k].nodes;
-            let legs = nodes.windows(2).map(|w| distance(network.nodes[w[0] as usize], network.nodes[w[1] as usize]));
-            legs.sum::<f64>().max(1e-3)
-        };
-        let lengths: Vec<f64> = rings.iter().map(length).collect();
+        let lengths: Vec<f64> = rings.iter().map(|&k| network.length_of(&network.conduits[k]).max(1e-3)).collect();
         flow.through_loops(&rings, &lengths, total);
     }
     flow.flow.iter().map(|f| f / total).collect()

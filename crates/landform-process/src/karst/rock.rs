@@ -3,7 +3,7 @@
 use landform_core::algo::noise::gradient_noise;
 use landform_core::random::{Draws, Seed};
 use landform_core::terrain::{HeightField, NodeSurface};
-use landform_core::units::{Length, number_text};
+use landform_core::units::{Length, number_text, place_text};
 use landform_core::verb::Params;
 use landform_core::{Error, Result, math};
 
@@ -442,8 +442,11 @@ fn springs(params: &KarstNetwork, rock: &Rock<'_>, side: f64) -> Result<Vec<(Vec
     let place = |at: [f64; 2], level: Option<f64>| {
         let top = rock.surface(at[0], at[1]);
         if !top.is_finite() {
-            let given = format!("{}, {} m", number_text(at[0]), number_text(at[1]));
-            return Err(Error::parameter("springs", given, "places on the map, on ground with data"));
+            return Err(Error::parameter(
+                "springs",
+                place_text([at[0], at[1]]),
+                "places on the map, on ground with data",
+            ));
         }
         let level = level.unwrap_or(top);
         if level > top {
@@ -456,8 +459,7 @@ fn springs(params: &KarstNetwork, rock: &Rock<'_>, side: f64) -> Result<Vec<(Vec
         }
         let at = [at[0], at[1], top.min(level)];
         if !rock.is_free(at) {
-            let given = format!("{}, {} m", number_text(at[0]), number_text(at[1]));
-            return Err(Error::parameter("springs", given, "places outside `forbidden` spheres"));
+            return Err(Error::parameter("springs", place_text([at[0], at[1]]), "places outside `forbidden` spheres"));
         }
         Ok((at, level))
     };

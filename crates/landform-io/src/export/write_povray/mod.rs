@@ -114,12 +114,13 @@ impl WritePovray {
 impl<T: Rasterize> Export<T> for WritePovray {
     fn export(&self, landscape: &Landscape<'_, T>, out: &mut dyn Output) -> Result<()> {
         let raster = landscape.terrain.rasterized()?;
-        let (grid, z, view) = (raster.grid(), raster.elevation(), self.view());
+        let (grid, z) = (raster.grid(), raster.elevation());
         if grid.shape.rows < 2 || grid.shape.cols < 2 {
             return Err(Error::NoFace { what: "a height field" });
         }
         let level = landscape.environment.sea(self.sea_level).unwrap_or(0.0);
-        let block = BlockView::new(&raster, &view, level);
+        let view = View { sea_level: level, ..self.view() };
+        let block = BlockView::new(&raster, &view);
         let ground = Ground::of(&raster, block.range);
         let has_sea = self.water && ground.low < level && level < ground.high;
         let is_sea = |z: f64| has_sea && z < level;

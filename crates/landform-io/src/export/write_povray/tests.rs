@@ -72,7 +72,7 @@ fn camera_and_sun_are_those_of_the_picture() {
     let sun_altitude = Angle::from_si(0.5);
     let write = WritePovray { view_from: quarter, sun: quarter, sun_altitude, ..WritePovray::default() };
     let scene = text(&export(&write, &field).unwrap());
-    let block = BlockView::new(&field, &write.view(), 0.0);
+    let block = BlockView::new(&field, &write.view());
     let [east, north, up] = block.camera;
     let at = numbers(&scene, "location");
     assert!(at.iter().zip([east, up, north]).all(|(a, b)| (a - b).abs() < 1e-5), "{at:?}");

@@ -100,15 +100,15 @@ fn array(kind: &str, data: &[u8]) -> Array {
 /// Numbers as stored in rows from the south.
 pub(super) fn array_from_the_south(kind: &str, data: &[u8], size: [usize; 3]) -> Array {
     match array(kind, data) {
-        Array::Bytes(values) => Array::Bytes(turned(&values, size)),
-        Array::Real(values) => Array::Real(turned(&values, size)),
+        Array::Bytes(values) => Array::Bytes(from_the_south(size).map(|i| values[i]).collect()),
+        Array::Real(values) => Array::Real(from_the_south(size).map(|i| values[i]).collect()),
     }
 }
 
-/// Rows from the south as rows from the north.
-fn turned<T: Copy>(values: &[T], [nx, ny, nz]: [usize; 3]) -> Vec<T> {
-    let rows = (0..nz).flat_map(|z| (0..ny).rev().map(move |y| (z * ny + y) * nx));
-    rows.flat_map(|first| values[first..first + nx].iter().copied()).collect()
+/// Where the voxels of rows from the south lie in rows from the north, and the other way round.
+pub(crate) fn from_the_south([nx, ny, nz]: [usize; 3]) -> impl Iterator<Item = usize> {
+    let rows = (0..nz).flat_map(move |z| (0..ny).rev().map(move |y| (z * ny + y) * nx));
+    rows.flat_map(move |first| first..first + nx)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, NodeSurface};
 
-use crate::render::vector::Vector;
+use crate::vector::Vector;
 
 /// Blocks along a side whose highest points the frame must hold.
 const FRAMED: usize = 96;

@@ -26,11 +26,10 @@ pub(crate) struct BlockView {
 }
 
 impl BlockView {
-    /// The block that [`perspective`](super::perspective) draws, under a sea of the given level
-    /// (m, not exaggerated).
-    pub(crate) fn new(field: &HeightField, view: &View, sea_level: f64) -> Self {
+    /// The block that [`perspective`](super::perspective) draws.
+    pub(crate) fn new(field: &HeightField, view: &View) -> Self {
         let (lo, hi) = block::range(field.elevation());
-        let depth = block::water_depth(field, &waters(field).lake, (lo, hi), sea_level, view.water);
+        let depth = block::water_depth(field, &waters(field).lake, (lo, hi), view.sea_level, view.water);
         let factor = view.exaggeration;
         let height = |(z, depth): (&f64, &f64)| (if z.is_nan() { lo } else { *z } + depth) * factor;
         let surface: Vec<f64> = field.elevation().iter().zip(&depth).map(height).collect();

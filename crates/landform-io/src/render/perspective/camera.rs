@@ -5,7 +5,7 @@ use landform_core::math;
 use super::scene::Scene;
 use super::{Standpoint, View};
 use crate::render::colour::scale;
-use crate::render::vector::{Vector, add, cross, dot, normalize, sub};
+use crate::vector::{Vector, add, cross, dot, normalize, sub};
 
 /// Field of view from bottom to top before a block, degrees.
 const FIELD_OF_VIEW: f64 = 28.0;
@@ -66,7 +66,7 @@ impl Camera {
     pub(super) fn within(scene: &Scene, view: &View, standpoint: &Standpoint) -> Self {
         let height = standpoint.height.unwrap_or((0.03 * (scene.high - scene.low)).max(2.0)) * view.exaggeration;
         let eye = |[x, y]: [f64; 2]| {
-            let [w, h] = scene.extent;
+            let [w, h] = scene.relief.extent;
             let p = [x.clamp(0.0, w), y.clamp(0.0, h), 0.0];
             [p[0], p[1], scene.height_at(p) + height]
         };
@@ -105,7 +105,7 @@ impl Camera {
             let seen = |step: usize| {
                 let tan = -0.6 + 1.4 * step as f64 / STEPS as f64;
                 let hit = scene.hit(self.at, normalize([along[0], along[1], tan]));
-                hit.is_some_and(|far| far > NEAR * scene.extent[0]).then_some(tan)
+                hit.is_some_and(|far| far > NEAR * scene.relief.extent[0]).then_some(tan)
             };
             (0..=STEPS).rev().find_map(seen).unwrap_or(-0.3)
         };
@@ -132,7 +132,7 @@ impl Camera {
             let (u, v) = ((k % (2 * ROWS)) as f64 + 0.5, (k / (2 * ROWS)) as f64 + 0.5);
             let ray = tilted.ray(u / (2 * ROWS) as f64, v / ROWS as f64);
             if let Some(far) = scene.hit(at, ray) {
-                let part = far / scene.extent[0].max(scene.extent[1]);
+                let part = far / scene.relief.extent[0].max(scene.relief.extent[1]);
                 // Each doubling of the distance shows as much.
                 value += math::smoothstep(0.01, 0.25, part);
                 near += f64::from(u8::from(part < NEAR));
@@ -154,7 +154,7 @@ const NEAR: f64 = 0.012;
 /// Places on the side from which one looks.
 fn candidates(scene: &Scene, from: f64) -> Vec<[f64; 2]> {
     const SIDE: usize = 14;
-    let [w, h] = scene.extent;
+    let [w, h] = scene.relief.extent;
     let back = [math::sin(from), math::cos(from)];
     let place = |k: usize| [(k % SIDE) as f64, (k / SIDE) as f64].map(|v| (v + 0.5) / SIDE as f64);
     let behind = |p: &[f64; 2]| (p[0] - 0.5) * back[0] + (p[1] - 0.5) * back[1] > 0.08;

@@ -109,7 +109,7 @@ pub fn perspective(field: &HeightField, view: &View) -> Picture {
     let field = as_fine_as_seen(field, view);
     let scene = Scene::new(&field, view);
     let camera = match &view.standpoint {
-        None => Camera::before(&scene.outline(), scene.extent, scene.low, view),
+        None => Camera::before(&scene.outline(), scene.relief.extent, scene.low, view),
         Some(standpoint) => Camera::within(&scene, view, standpoint),
     };
     let angle = camera.pixel_angle(view.height);
@@ -178,7 +178,7 @@ fn as_fine_as_seen<'a>(field: &'a HeightField, view: &View) -> Cow<'a, HeightFie
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::vector::{self, dot, sub};
+    use crate::vector::{self, dot, sub};
     use landform_core::grid::Grid;
     use landform_core::math;
     use landform_core::terrain::NodeSurface;
@@ -192,7 +192,7 @@ mod tests {
         for from in [0.0, 1.0, 2.5, 4.0] {
             let view = View { width: 160, height: 90, from, ..View::default() };
             let scene = Scene::new(&field, &view);
-            let camera = Camera::before(&scene.outline(), scene.extent, scene.low, &view);
+            let camera = Camera::before(&scene.outline(), scene.relief.extent, scene.low, &view);
             for point in scene.outline() {
                 let d = sub(point, camera.at);
                 let far = dot(d, camera.forward) * camera.half_height;

@@ -6,7 +6,7 @@ use landform_core::math;
 
 use super::block;
 use crate::render::pyramid::Pyramid;
-use crate::render::vector::Vector;
+use crate::vector::Vector;
 
 /// A surface in local metres: x east, y north from the south-west corner.
 pub(super) struct Relief {
@@ -135,7 +135,7 @@ impl Relief {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::vector::{along, normalize};
+    use crate::vector::{along, normalize};
 
     /// Where a ray first is under the surface, by small steps.
     fn by_steps(relief: &Relief, from: Vector, direction: Vector, leave: f64) -> Option<f64> {

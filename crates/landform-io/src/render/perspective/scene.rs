@@ -16,8 +16,8 @@ use crate::render::colour::{Rgb, blend, hex, mix, scale};
 use crate::render::cover::cut;
 use crate::render::ground::{CUT, DEEP};
 use crate::render::light::{sky_view, sun_view};
-use crate::render::vector::{Vector, along, dot, normalize};
 use crate::render::{Waters, waters};
+use crate::vector::{Vector, along, dot, normalize};
 
 const SUN_LIGHT: Rgb = [2.20, 1.98, 1.66];
 const SKY_LIGHT: Rgb = [0.42, 0.51, 0.68];
@@ -54,9 +54,8 @@ impl Skin {
 pub(super) struct Scene<'a> {
     field: &'a HeightField,
     exaggeration: f64,
-    pub(super) extent: [f64; 2],
     /// Surface, water included.
-    relief: Relief,
+    pub(super) relief: Relief,
     skin: Vec<StoredSkin>,
     pub(super) low: f64,
     pub(super) high: f64,
@@ -151,7 +150,6 @@ impl<'a> Scene<'a> {
         Self {
             field,
             exaggeration: view.exaggeration,
-            extent,
             relief: Relief::new(grid, surface),
             skin,
             low,
@@ -192,7 +190,7 @@ impl<'a> Scene<'a> {
             }
         };
         // Only air over the block hazes: the camera stands far back, as before a model.
-        let haze = 1.0 - math::exp(-HAZE * (hit - start) / (self.extent[0] + self.extent[1]));
+        let haze = 1.0 - math::exp(-HAZE * (hit - start) / (self.relief.extent[0] + self.relief.extent[1]));
         blend(colour, self.sky.colour(0.0), haze)
     }
 
@@ -225,15 +223,16 @@ impl<'a> Scene<'a> {
                 return Some(Meeting { at: along(from, direction, far), far: passed + far, turned });
             }
             let exit = along(from, direction, leave);
-            let is_wall = |k: usize| exit[k] <= 1e-6 * self.extent[k] || exit[k] >= (1.0 - 1e-6) * self.extent[k];
-            let wall = (0..2).find(|&k| is_wall(k) && direction[k] * (exit[k] - 0.5 * self.extent[k]) > 0.0)?;
+            let is_wall =
+                |k: usize| exit[k] <= 1e-6 * self.relief.extent[k] || exit[k] >= (1.0 - 1e-6) * self.relief.extent[k];
+            let wall = (0..2).find(|&k| is_wall(k) && direction[k] * (exit[k] - 0.5 * self.relief.extent[k]) > 0.0)?;
             passed += leave;
             if around.is_sea || passed > 4.0 * around.clear {
                 return None;
             }
             direction[wall] = -direction[wall];
             turned[wall] = -turned[wall];
-            from = [exit[0].clamp(0.0, self.extent[0]), exit[1].clamp(0.0, self.extent[1]), exit[2]];
+            from = [exit[0].clamp(0.0, self.relief.extent[0]), exit[1].clamp(0.0, self.relief.extent[1]), exit[2]];
         }
         None
     }
@@ -276,7 +275,7 @@ impl<'a> Scene<'a> {
     fn box_span(&self, from: Vector, direction: Vector) -> Option<(f64, f64)> {
         // An eye in the land may stand above it.
         let top = if self.around.is_some() { f64::MAX } else { self.high + 1e-3 };
-        let (lo, hi) = ([0.0, 0.0, self.foot], [self.extent[0], self.extent[1], top]);
+        let (lo, hi) = ([0.0, 0.0, self.foot], [self.relief.extent[0], self.relief.extent[1], top]);
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
         for k in 0..3 {
             let (a, b) = ((lo[k] - from[k]) / direction[k], (hi[k] - from[k]) / direction[k]);
@@ -354,13 +353,13 @@ impl<'a> Scene<'a> {
 
     /// The cut side of the block: its beds, or plain rock under a little soil.
     fn wall(&self, p: Vector) -> Rgb {
-        let on_x = p[0] <= 1e-6 * self.extent[0] || p[0] >= self.extent[0] * (1.0 - 1e-6);
+        let on_x = p[0] <= 1e-6 * self.relief.extent[0] || p[0] >= self.relief.extent[0] * (1.0 - 1e-6);
         let normal = if on_x {
-            [if p[0] > 0.5 * self.extent[0] { 1.0 } else { -1.0 }, 0.0, 0.0]
+            [if p[0] > 0.5 * self.relief.extent[0] { 1.0 } else { -1.0 }, 0.0, 0.0]
         } else {
-            [0.0, if p[1] > 0.5 * self.extent[1] { 1.0 } else { -1.0 }, 0.0]
+            [0.0, if p[1] > 0.5 * self.relief.extent[1] { 1.0 } else { -1.0 }, 0.0]
         };
-        let scale_length = 0.02 * (self.extent[0] + self.extent[1]);
+        let scale_length = 0.02 * (self.relief.extent[0] + self.relief.extent[1]);
         let along_wall = if on_x { p[1] } else { p[0] };
         let under = (self.relief.height_at(p) - p[2]) / scale_length;
         let (k, [u, v]) = self.relief.corners(p);
