@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::running::{Run, Running};
 use super::{Budget, pack, unpack};
 use crate::random::Seed;
-use crate::terrain::Terrain;
+use crate::terrain::{Refine, Terrain};
 use crate::verb::{CancelToken, Change, Context, Environment, Maps, NoMaps, Process, Step};
 use crate::{Error, Result};
 
@@ -353,6 +353,23 @@ impl<T: Terrain> Model<T> {
             self.stale = true;
             self.reconcile()?;
         }
+        Ok(())
+    }
+
+    /// Begins as a coarser form of the same ground changed between two states, where another model
+    /// left off: processes start on the ground as it was, and begin anew on the changed ground. The
+    /// budget begins there.
+    ///
+    /// # Errors
+    /// Where [`Model::start`] fails.
+    pub fn start_changed(&mut self, before: &T, after: &T) -> Result<()>
+    where
+        T: Refine,
+    {
+        self.start()?;
+        self.terrain.take_change_of(before, after);
+        self.reconcile()?;
+        (self.clock.change, self.clock.volume_start) = (Change::default(), self.terrain.volume());
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! Fewer nodes for the same ground, and back: for runs that go from coarse to fine.
 
-use super::convert::elevation_raster;
-use super::{HeightField, Layer, Layers, Mesh, NodeSurface, Rasterize, height_field};
+use super::convert::{ValuesRaster, elevation_raster, sample_by};
+use super::{HeightField, Interpolation, Layer, Layers, Mesh, NodeSurface, Rasterize, height_field};
 use crate::field::Fields;
 use crate::grid::{Domain, Edges, Grid, Shape, Status};
 use crate::parallel;
@@ -65,9 +65,43 @@ impl Mesh {
         let domain = self.domain();
         let positions = self.positions().to_vec();
         self.change(Layer::Bedrock, |fine| {
-            set_interior(fine, domain.status(), |i| height_field::sample(&grid, &z, positions[i]));
+            set_interior(fine, domain.status(), |i, _| height_field::sample(&grid, &z, positions[i]));
         });
     }
+
+    /// Changes as a coarser mesh did between two states, linearly between its nodes.
+    pub(super) fn take_change(&mut self, before: &Self, after: &Self) {
+        let spacing = 0.4 * (before.area() / before.positions().len() as f64).sqrt();
+        let Ok(raster) = ValuesRaster::over(before, spacing) else { return };
+        let positions = self.positions().to_vec();
+        let spread = |change: &[f64]| {
+            let values = raster.of(before, change);
+            parallel::map(positions.len(), |i| {
+                let change = height_field::sample(raster.grid(), &values, positions[i]);
+                if change.is_finite() { change } else { 0.0 }
+            })
+        };
+        add_change(self, [before, after], spread);
+    }
+}
+
+/// Adds what changed between two states of a coarser form, brought to the nodes by `spread`.
+fn add_change<T: NodeSurface>(terrain: &mut T, [before, after]: [&T; 2], spread: impl Fn(&[f64]) -> Vec<f64>) {
+    let (old, new) = (before.elevation(), after.elevation());
+    let none_at_holes = |v: f64| if v.is_finite() { v } else { 0.0 };
+    let raised = spread(&parallel::map(old.len(), |i| none_at_holes(new[i] - old[i])));
+    if let Some(after) = after.layers() {
+        terrain.make_layered(after.materials());
+    }
+    let mut layers = terrain.layers().cloned();
+    if let (Some(layers), Some(new)) = (&mut layers, after.layers()) {
+        let bare = Layers::rock(new.materials(), old.len());
+        layers.add_change(before.layers().unwrap_or(&bare), new, spread);
+    }
+    let domain = terrain.domain();
+    terrain.change(Layer::Bedrock, |z| set_interior(z, domain.status(), |i, z| z + raised[i]));
+    // The layers were changed along with the surface, not by it.
+    terrain.set_layers(layers);
 }
 
 /// Nodes that keep their distance, found through a lattice of cells that hold one each.
@@ -156,18 +190,34 @@ impl HeightField {
         let [[west, south], [east, north]] = coarse.bounds();
         let coarse = coarse.at_centres();
         self.change(Layer::Bedrock, |z| {
-            set_interior(z, domain.status(), |i| {
+            set_interior(z, domain.status(), |i, _| {
                 let [x, y] = grid.position(i);
                 coarse.elevation_at([x.clamp(west, east), y.clamp(south, north)])
             });
         });
     }
+
+    /// Changes as a coarser raster did between two states, by smooth curves through its nodes.
+    pub(super) fn take_change(&mut self, before: &Self, after: &Self) {
+        let (before, after) = (before.at_centres(), after.at_centres());
+        let (fine, coarse) = (self.grid().clone(), before.grid());
+        let [[west, south], [east, north]] = before.bounds();
+        let spread = |change: &[f64]| {
+            parallel::map(fine.len(), |i| {
+                let [x, y] = fine.position(i);
+                let there = [x.clamp(west, east), y.clamp(south, north)];
+                let change = sample_by(Interpolation::Cubic, coarse, change, there);
+                if change.is_finite() { change } else { 0.0 }
+            })
+        };
+        add_change(self, [&before, &after], spread);
+    }
 }
 
-fn set_interior(elevation: &mut [f64], status: &[Status], new: impl Fn(usize) -> f64 + Sync) {
+fn set_interior(elevation: &mut [f64], status: &[Status], new: impl Fn(usize, f64) -> f64 + Sync) {
     parallel::update(elevation, |i, z| {
         if status[i] == Status::Interior {
-            let new = new(i);
+            let new = new(i, *z);
             *z = if new.is_finite() { new } else { *z };
         }
     });

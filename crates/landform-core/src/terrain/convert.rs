@@ -107,10 +107,36 @@ fn at_corners<V: Copy + Default>(values: &[V], corner: &[u32]) -> Vec<V> {
 /// # Errors
 /// Where [`Grid::covering`] fails.
 pub(super) fn elevation_raster(mesh: &Mesh, cell_size: f64) -> Result<(Grid, Vec<f64>)> {
-    let grid = grid_over(mesh, cell_size)?;
-    let triangle = locate(mesh, &grid);
-    let z = linear(mesh, &grid, &triangle, mesh.elevation());
-    Ok((grid, z))
+    let cells = ValuesRaster::over(mesh, cell_size)?;
+    let z = cells.of(mesh, mesh.elevation());
+    Ok((cells.grid, z))
+}
+
+/// Cells over a mesh, and the triangle under each: for several values of the same nodes.
+pub(super) struct ValuesRaster {
+    grid: Grid,
+    triangle: Vec<u32>,
+}
+
+impl ValuesRaster {
+    /// Cells of a size (m) over a mesh.
+    ///
+    /// # Errors
+    /// Where [`Grid::covering`] fails.
+    pub(super) fn over(mesh: &Mesh, cell_size: f64) -> Result<Self> {
+        let grid = grid_over(mesh, cell_size)?;
+        let triangle = locate(mesh, &grid);
+        Ok(Self { grid, triangle })
+    }
+
+    pub(super) fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// Values of the cells, linear between those of the nodes; NaN outside.
+    pub(super) fn of(&self, mesh: &Mesh, values: &[f64]) -> Vec<f64> {
+        linear(mesh, &self.grid, &self.triangle, values)
+    }
 }
 
 fn grid_over(mesh: &Mesh, cell_size: f64) -> Result<Grid> {

@@ -175,6 +175,10 @@ impl Refine for HeightField {
     fn take_shape_of(&mut self, coarse: &Self) {
         self.take_from(coarse);
     }
+
+    fn take_change_of(&mut self, before: &Self, after: &Self) {
+        self.take_change(before, after);
+    }
 }
 
 impl NodeSurface for HeightField {

@@ -331,6 +331,24 @@ impl Layers {
     }
 
     /// The first node whose depth of a loose layer is not a number.
+    /// Adds what changed between two states of a coarser form, brought to these nodes by `spread`:
+    /// the datum of beds, and depths, of which none falls below 0.
+    pub(super) fn add_change(&mut self, before: &Self, after: &Self, spread: impl Fn(&[f64]) -> Vec<f64>) {
+        if let (Some(beds), Some(old), Some(new)) = (&mut self.beds, &before.beds, &after.beds) {
+            let moved = spread(&parallel::map(old.datum.len(), |i| new.datum[i] - old.datum[i]));
+            parallel::update(&mut beds.datum, |i, d| *d += moved[i]);
+        }
+        for loose in &after.loose {
+            let old = before.loose.iter().find(|l| l.material == loose.material);
+            let more = |i: usize| loose.depth[i] - old.map_or(0.0, |l| l.depth[i]);
+            let more = spread(&parallel::map(loose.depth.len(), more));
+            let name = after.materials.get(loose.material).name.clone();
+            if let Ok(depth) = self.depth_mut(&name) {
+                parallel::update(depth, |i, d| *d = (*d + more[i]).max(0.0));
+            }
+        }
+    }
+
     pub(super) fn find_non_finite(&self) -> Option<usize> {
         self.loose.iter().find_map(|l| parallel::find_first(l.depth.len(), |i| !l.depth[i].is_finite()))
     }

@@ -116,6 +116,10 @@ pub trait Refine: Terrain {
 
     /// Takes the shape of a coarser form of the same ground, base levels excepted.
     fn take_shape_of(&mut self, coarse: &Self);
+
+    /// Changes as a coarser form of the same ground did between two states: elevations and layers,
+    /// base levels excepted. What is finer than the coarse nodes stays.
+    fn take_change_of(&mut self, before: &Self, after: &Self);
 }
 
 /// A terrain with one elevation per node of a graph, as flow, uplift and creep need it.

@@ -7,11 +7,13 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Level;
+
 /// When a stage with processes starts, steps and stops.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Clock {
-    /// Length of a step. It must be given, unless `refine` is given: then it is 1 Gyr.
+    /// Length of a step. It must be given, unless a steady state is refined: then it is 1 Gyr.
     #[schemars(extend("x-min" = 0.0))]
     pub dt: Duration,
     /// Time to run. Instead, `until` or `iterations` may be given.
@@ -28,11 +30,17 @@ pub struct Clock {
     /// Greatest number of steps. If not given, it is 10,000 for a run until steady.
     #[schemars(extend("x-min" = 1))]
     pub iterations: Option<u64>,
-    /// Number of coarser levels, each with a quarter of the nodes, that are made steady first, each
-    /// from the one before. The finest level then needs tens of steps rather than hundreds. It
-    /// needs `until = "steady"` alone, and a sea level that does not change.
+    /// Number of coarser levels, each with cells of twice the length. With `duration` the run begins
+    /// on the coarsest and its cells are halved on the way (see `refine_at`): rivers are then those
+    /// of the recipe at that level. With `until = "steady"` each level is made steady, and starts
+    /// the next; that needs a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
+    /// Times at which cells are halved, with `duration`, in order. If not given, the finest cells
+    /// run for the last quarter of the time, and each coarser level until two thirds of the time at
+    /// which the next ends.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub refine_at: Vec<Duration>,
     /// Whether the clock counts rounds that have no length in time.
     #[serde(skip)]
     pub timeless: bool,
@@ -55,6 +63,7 @@ impl Default for Clock {
             tolerance: 1e-3,
             iterations: None,
             refine: 0,
+            refine_at: Vec::new(),
             timeless: false,
         }
     }
@@ -80,22 +89,68 @@ impl Clock {
 
     /// Length of a step, s.
     pub fn step(&self) -> f64 {
-        if self.refine > 0 && self.dt.si() == 0.0 { 1e3 * MYR } else { self.dt.si() }
+        if self.refine > 0 && self.until.is_some() && self.dt.si() == 0.0 { 1e3 * MYR } else { self.dt.si() }
     }
 
     pub(super) fn check(&self) -> Result<()> {
-        if self.refine > 0 && self.until.is_none() {
-            return Err(Error::parameter(
-                "refine",
-                self.refine,
-                "0 without `until = \"steady\"`: the way there is no history",
-            ));
-        }
+        self.check_levels()?;
         if !(self.step() > 0.0) {
             return Err(Error::parameter("dt", self.dt, "> 0 yr, for example \"1 kyr\""));
         }
         if self.duration.is_none() && self.until.is_none() && self.iterations.is_none() {
             return Err(Error::parameter("clock", "without end", "`duration`, `until = \"steady\"` or `iterations`"));
+        }
+        Ok(())
+    }
+
+    /// Times at which cells are halved in a run of a duration, s; none in any other.
+    pub(super) fn halvings(&self) -> Vec<f64> {
+        let Some(duration) = self.duration.filter(|_| self.until.is_none()) else { return Vec::new() };
+        if !self.refine_at.is_empty() {
+            return self.refine_at.iter().map(|t| t.si()).collect();
+        }
+        let whole_steps = |t: f64| (t / self.dt.si()).round() * self.dt.si();
+        let ends = std::iter::successors(Some(0.75 * duration.si()), |end| Some(end / 1.5));
+        let mut times: Vec<f64> = ends.take(self.refine as usize).map(whole_steps).collect();
+        times.reverse();
+        times
+    }
+
+    /// The clock on cells that are twice as long, this many times over: a run goes as it did until
+    /// cells would become finer.
+    pub(super) fn coarsen(&mut self, halvings: usize) {
+        let times = self.halvings();
+        if !times.is_empty() {
+            let left = &times[..times.len().saturating_sub(halvings)];
+            self.refine_at = left.iter().map(|&t| Quantity::from_si(t)).collect();
+            self.refine = left.len() as u32;
+        }
+    }
+
+    fn check_levels(&self) -> Result<()> {
+        let timed = self.until.is_none();
+        if !self.refine_at.is_empty() {
+            if !timed {
+                return Err(Error::parameter("refine_at", "given beside `until`", "`duration` without `until`"));
+            }
+            let n = self.refine_at.len();
+            if self.refine != 0 && self.refine as usize != n {
+                return Err(Error::parameter("refine", self.refine, &format!("{n}, as many as times in `refine_at`")));
+            }
+        }
+        if timed && (self.refine > 0 || !self.refine_at.is_empty()) {
+            let Some(duration) = self.duration.filter(|_| self.iterations.is_none()) else {
+                let hint = "0 unless the clock has `duration` alone, or `until = \"steady\"`";
+                return Err(Error::parameter("refine", self.refine, hint));
+            };
+            let times = self.halvings();
+            Level::halved(times.len())?;
+            let rises = times.windows(2).all(|t| t[0] < t[1]);
+            if !(rises && times.iter().all(|&t| t > 0.0 && t < duration.si())) {
+                let listed: Vec<String> = times.iter().map(|&t| Duration::from_si(t).to_string()).collect();
+                let wanted = format!("times that rise, between 0 yr and {duration}; or fewer levels, or shorter steps");
+                return Err(Error::parameter("refine_at", listed.join(", "), &wanted));
+            }
         }
         Ok(())
     }

@@ -12,45 +12,56 @@ use landform_core::verb::{Outcome, Output, Stopped};
 
 use super::Recipe;
 use super::checkpoint::Checkpoint;
+use super::coarse::Coarser;
 use super::entry::Evolve;
 use super::options::{Options, Progress, Signal};
 use super::watch::{Watch, Watcher};
 
 /// Runs processes on a terrain of any kind; none if the run was interrupted.
 pub(super) struct Evolving<'a, 'b> {
+    pub(super) run: Run<'a, 'b>,
+    /// Coarser levels on which it begins, coarsest first.
+    pub(super) coarser: Vec<Coarser>,
+    /// Where the state is kept.
+    pub(super) checkpoint: Option<Checkpoint<'a>>,
+    pub(super) out: &'a mut dyn Output,
+}
+
+/// What processes run by, on every level.
+#[derive(Clone, Copy)]
+pub(super) struct Run<'a, 'b> {
     pub(super) recipe: &'a Recipe,
     pub(super) options: &'a Options<'b>,
     pub(super) evolve: &'a Evolve,
     /// What is watched in this run.
     pub(super) watch: Option<&'a Watch>,
     pub(super) seed: Seed,
-    /// Where the state is kept.
-    pub(super) checkpoint: Option<Checkpoint<'a>>,
-    pub(super) out: &'a mut dyn Output,
 }
 
 impl Visit for Evolving<'_, '_> {
     type Out = Result<Option<(AnyTerrain, Outcome)>>;
 
     fn surface<T: Surface>(self, terrain: &T) -> Self::Out {
-        let clock = &self.evolve.clock;
-        let model = self.model(terrain)?;
-        let resume = self.options.resume && self.checkpoint.as_ref().is_some_and(Checkpoint::is_there);
-        let saves = self.checkpoint.is_some();
-        let watcher = self.watch.map(|watch| Watcher::new(watch, &self.recipe.environment, clock.timeless));
-        let beside = Mutex::new(Beside { watcher, checkpoint: self.checkpoint });
-        let mut simulation = Simulation::of(model).until(clock.stop()).refine(clock.refine);
-        simulation = simulation.observe(Every::Steps(1), steps(clock.stop(), self.options.progress));
-        match (self.watch, self.evolve.watch.as_ref().map(Watch::interval)) {
-            (Some(watch), _) => simulation = simulation.observe(watch.interval(), |view| open(&beside).look(view)),
-            // Without an observer steps are as long as with one.
-            (None, Some(every @ Every::Time(_))) => {
-                simulation = simulation.observe(every, |_| Ok(ControlFlow::Continue(())));
-            }
-            _ => {}
+        let Self { run, coarser, checkpoint, out } = self;
+        let (clock, options) = (&run.evolve.clock, run.options);
+        let mut model = run.model(terrain, &run.evolve.parts)?;
+        let resume = options.resume && checkpoint.as_ref().is_some_and(Checkpoint::is_there);
+        let saves = checkpoint.is_some();
+        let watcher = run.watch.map(|watch| Watcher::new(watch, &run.recipe.environment, clock.timeless));
+        let beside = Mutex::new(Beside { watcher, checkpoint });
+        if !resume && !coarser.is_empty() {
+            model.start()?;
+            let Some(coarse) = run.on_coarser(&coarser, model.terrain(), &beside)? else { return Ok(None) };
+            model = model.begin_at(coarse.time, coarse.steps);
+            model.start_changed(&coarse.before, &coarse.after)?;
         }
+        let mut simulation = Simulation::of(model).until(clock.stop());
+        if clock.until.is_some() {
+            simulation = simulation.refine(clock.refine);
+        }
+        simulation = run.observed(simulation, &beside, |view, beside| open(beside).look(view));
         if saves {
-            simulation = simulation.save_every(self.options.checkpoint_every, |model| open(&beside).save(model));
+            simulation = simulation.save_every(options.checkpoint_every, |model| open(&beside).save(model));
         }
         if resume {
             simulation = open(&beside).resume(simulation)?;
@@ -62,8 +73,8 @@ impl Visit for Evolving<'_, '_> {
         }
         let terrain = simulation.into_terrain().at_centres().into_owned().wrap();
         let watcher = open(&beside).watcher.take();
-        if let Some(note) = watcher.map(|watcher| watcher.finish(self.out)).transpose()?.flatten() {
-            (self.options.progress)(Signal::Note(note.into()));
+        if let Some(note) = watcher.map(|watcher| watcher.finish(out)).transpose()?.flatten() {
+            (options.progress)(Signal::Note(note.into()));
         }
         Ok(Some((terrain, outcome)))
     }
@@ -73,13 +84,76 @@ impl Visit for Evolving<'_, '_> {
     }
 }
 
-impl Evolving<'_, '_> {
-    fn model<T: Surface>(&self, terrain: &T) -> Result<Model<T>> {
-        Ok(model_of(terrain, &self.evolve.parts, self.seed)?
+/// Where a coarser level left off: its ground at time 0 and now.
+struct LeftOff<T> {
+    before: T,
+    after: T,
+    time: f64,
+    steps: u64,
+}
+
+impl<'a, 'b> Run<'a, 'b> {
+    fn model<T: Surface>(self, terrain: &T, parts: &[ReadStage]) -> Result<Model<T>> {
+        Ok(model_of(terrain, parts, self.seed)?
             .dt(self.evolve.clock.step())
             .maps(self.recipe.maps.clone())
             .environment(self.recipe.environment.clone())
             .cancel(self.options.cancel.clone()))
+    }
+
+    /// Runs coarser levels, each from where the one before left off; none if the run was asked to
+    /// stop. What looks sees the finest ground, changed as the coarser one was.
+    fn on_coarser<T: Surface>(
+        self,
+        levels: &[Coarser],
+        finest: &T,
+        beside: &Mutex<Beside<'a>>,
+    ) -> Result<Option<LeftOff<T>>> {
+        let mut left: Option<LeftOff<T>> = None;
+        for level in levels {
+            let Some(ground) = T::of(&level.ground) else { continue };
+            let mut model = self.model(ground, &level.parts)?;
+            model.start()?;
+            let before = model.terrain().clone();
+            if let Some(left) = &left {
+                model = model.begin_at(left.time, left.steps);
+                model.start_changed(&left.before, &left.after)?;
+            }
+            let end = Stop { time: Some(level.until), ..Stop::default() };
+            let mut simulation = self.observed(Simulation::of(model).until(end), beside, |view, beside| {
+                let mut terrain = finest.clone();
+                terrain.take_change_of(&before, view.terrain);
+                open(beside).look(&View { terrain: &terrain, ..*view })
+            });
+            let outcome = simulation.run()?;
+            if outcome.stopped == Stopped::Cancelled {
+                return Ok(None);
+            }
+            let after = simulation.into_terrain();
+            left = Some(LeftOff { before, after, time: outcome.time, steps: outcome.steps });
+        }
+        Ok(left)
+    }
+
+    /// A simulation that tells of its steps, with what looks at it.
+    fn observed<'s, T: Surface>(
+        self,
+        simulation: Simulation<'s, T>,
+        beside: &'s Mutex<Beside<'a>>,
+        look: impl Fn(&View<T>, &Mutex<Beside<'a>>) -> Result<ControlFlow<()>> + Send + 's,
+    ) -> Simulation<'s, T>
+    where
+        'a: 's,
+        'b: 's,
+    {
+        let stop = self.evolve.clock.stop();
+        let simulation = simulation.observe(Every::Steps(1), steps(stop, self.options.progress));
+        match (self.watch, self.evolve.watch.as_ref().map(Watch::interval)) {
+            (Some(watch), _) => simulation.observe(watch.interval(), move |view| look(view, beside)),
+            // Without an observer steps are as long as with one.
+            (None, Some(every @ Every::Time(_))) => simulation.observe(every, |_| Ok(ControlFlow::Continue(()))),
+            _ => simulation,
+        }
     }
 }
 

@@ -31,6 +31,19 @@ impl Level {
     }
 }
 
+impl Level {
+    /// The level whose cells are twice as long, this many times over.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] beyond 1/64.
+    pub(super) fn halved(halvings: usize) -> Result<Self> {
+        match u32::try_from(halvings) {
+            Ok(halvings) if halvings <= MOST_HALVINGS => Ok(Self { halvings }),
+            _ => Err(Error::parameter("refine", halvings, &format!("at most {MOST_HALVINGS} with `duration`"))),
+        }
+    }
+}
+
 impl FromStr for Level {
     type Err = Error;
 
@@ -70,7 +83,10 @@ impl Recipe {
         for (index, entry) in recipe.entries.iter_mut().enumerate() {
             let parts = match &mut entry.work {
                 Work::Once(part) => std::slice::from_mut(part),
-                Work::Evolve(evolve) => evolve.parts.as_mut_slice(),
+                Work::Evolve(evolve) => {
+                    evolve.clock.coarsen(level.halvings as usize);
+                    evolve.parts.as_mut_slice()
+                }
             };
             for part in parts {
                 let stage = part.stage();

@@ -21,6 +21,7 @@
 mod cache;
 mod checkpoint;
 mod clock;
+mod coarse;
 mod entry;
 mod evolve;
 mod fields;

@@ -181,9 +181,12 @@ fn held((size, _, _, known): &Planned) -> u64 {
 
 fn estimate(entry: &Entry, kind: Option<Kind>, before: Estimate, context: &Context) -> Result<Estimate> {
     match &entry.work {
-        Work::Evolve(..) => {
+        Work::Evolve(evolve) => {
             let parts: Vec<_> = entry.work.parts().iter().collect();
-            Ok(Estimate { bytes: before.nodes * bytes_a_node_of(&parts, entry.kind), ..before })
+            let bytes = before.nodes * bytes_a_node_of(&parts, entry.kind);
+            // Coarser levels have a quarter of the nodes each, and are held beside the finest.
+            let coarser = if evolve.clock.halvings().is_empty() { 0 } else { bytes / 3 };
+            Ok(Estimate { bytes: bytes + coarser, ..before })
         }
         Work::Once(stage) => stage.estimate(kind, before, context),
     }

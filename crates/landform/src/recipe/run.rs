@@ -13,7 +13,7 @@ use landform_core::{Error, Result};
 use super::cache::Cache;
 use super::checkpoint::{Checkpoint, check_undamaged, tidy};
 use super::entry::{Entry, Work};
-use super::evolve::Evolving;
+use super::evolve::{Evolving, Run};
 use super::options::{Options, Outputs, Signal};
 use super::watch::Watch;
 use super::{Plan, Recipe};
@@ -127,7 +127,7 @@ impl Runner<'_> {
                 }
                 match self.change(k, entry, &mut current, &with, &planned.key, out).map_err(fail)? {
                     Some(slot) => current = slot,
-                    None => return Ok(Ran::Interrupted(self.options.checkpoint.clone())),
+                    None => return Ok(Ran::Interrupted(self.options.checkpoint.clone().filter(|path| path.is_file()))),
                 }
             }
             self.tell_notes();
@@ -250,7 +250,9 @@ impl Runner<'_> {
                 let before = self.terrain(current)?;
                 let (recipe, options, watch) = (self.recipe, self.options, self.watch_of(entry));
                 let checkpoint = self.checkpoint(index, key, watch);
-                let evolving = Evolving { recipe, options, evolve, watch, seed, checkpoint, out };
+                let Some(coarser) = recipe.coarser_levels(index, options)? else { return Ok(None) };
+                let run = Run { recipe, options, evolve, watch, seed };
+                let evolving = Evolving { run, coarser, checkpoint, out };
                 let Some((terrain, ended)) = before.visit(evolving)? else {
                     return Ok(None);
                 };

@@ -1,0 +1,64 @@
+//! Runs that begin on coarser cells, which are halved on the way.
+//!
+//! The ground of a coarser level is what the recipe at that level makes of it, so that the run
+//! until the first halving is that of a preview, to the bit. A finer level takes over what changed
+//! on the coarser one; what is finer than its cells stays as it was.
+
+use std::sync::Arc;
+
+use landform_core::Result;
+use landform_core::stage::ReadStage;
+use landform_core::terrain::AnyTerrain;
+use landform_core::verb::MemoryOutput;
+
+use super::entry::Work;
+use super::options::{Options, Outputs};
+use super::{Level, Ran, Recipe};
+
+/// A coarser level of a stage with processes.
+pub(super) struct Coarser {
+    /// The ground before the stage.
+    pub(super) ground: Arc<AnyTerrain>,
+    /// The processes, for such cells.
+    pub(super) parts: Vec<ReadStage>,
+    /// Time until which it runs, s.
+    pub(super) until: f64,
+}
+
+impl Recipe {
+    /// The coarser levels of the stage at an index, coarsest first; none if the run was asked to
+    /// stop.
+    ///
+    /// # Errors
+    /// If a stage before cannot work with so few cells, or fails there.
+    pub(super) fn coarser_levels(&self, index: usize, options: &Options) -> Result<Option<Vec<Coarser>>> {
+        let Work::Evolve(evolve) = &self.entries[index].work else { return Ok(Some(Vec::new())) };
+        let times = evolve.clock.halvings();
+        let mut levels = Vec::new();
+        for (k, &until) in times.iter().enumerate() {
+            let mut recipe = self.at(Level::halved(times.len() - k)?)?;
+            let Work::Evolve(evolve) = &recipe.entries[index].work else { continue };
+            let parts = evolve.parts.clone();
+            recipe.entries.truncate(recipe.last_before(index) + 1);
+            recipe.entries.retain(|entry| entry.work.changes_terrain());
+            recipe.notes.clear();
+            let quiet = Options {
+                cache: options.cache,
+                salt: options.salt.clone(),
+                cancel: options.cancel.clone(),
+                outputs: Outputs::Nothing,
+                ..Options::default()
+            };
+            let Ran::ToTheEnd(ground, _) = recipe.run(&mut MemoryOutput::default(), &quiet)? else { return Ok(None) };
+            levels.push(Coarser { ground, parts, until });
+        }
+        Ok(Some(levels))
+    }
+
+    /// Index of the stage whose ground the stage at an index gets.
+    fn last_before(&self, index: usize) -> usize {
+        let from = self.entries[index].from.as_deref();
+        let labelled = |label| self.entries[..index].iter().rposition(|e| e.label.as_deref() == Some(label));
+        from.and_then(labelled).unwrap_or(index - 1)
+    }
+}
