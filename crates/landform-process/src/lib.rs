@@ -4,6 +4,7 @@
 //! coupled by a recipe.
 
 pub mod automaton;
+pub mod bank;
 pub mod basin;
 pub mod cave;
 pub mod channel;
@@ -26,6 +27,7 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     edit::STAGES,
     uplift::STAGES,
     stream_power::STAGES,
+    bank::STAGES,
     hillslope::STAGES,
     channel::STAGES,
     coast::STAGES,

@@ -362,6 +362,23 @@ impl<T: Terrain> Model<T> {
     ///
     /// # Errors
     /// Where [`Model::start`] fails.
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::sim::Model;
+    /// use landform_core::terrain::{HeightField, NodeSurface};
+    ///
+    /// # fn main() -> landform_core::Result<()> {
+    /// let flat = |n: usize, cell: f64, z: f64| -> landform_core::Result<HeightField> {
+    ///     HeightField::new(Grid::new(Shape::new(n, n), [cell; 2])?, vec![z; n * n])
+    /// };
+    /// // Coarse ground rose by 3 m; the fine ground, 10 m high, begins 3 m higher.
+    /// let mut model = Model::new(flat(9, 5.0, 10.0)?);
+    /// model.start_changed(&flat(5, 10.0, 0.0)?, &flat(5, 10.0, 3.0)?)?;
+    /// assert!((model.terrain().elevation()[40] - 13.0).abs() < 1e-12);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn start_changed(&mut self, before: &T, after: &T) -> Result<()>
     where
         T: Refine,

@@ -7,7 +7,8 @@ use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Level;
+/// How often cells can be halved in a timed run: the levels that `--level` has.
+const MOST_HALVINGS: usize = 6;
 
 /// When a stage with processes starts, steps and stops.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -30,10 +31,10 @@ pub struct Clock {
     /// Greatest number of steps. If not given, it is 10,000 for a run until steady.
     #[schemars(extend("x-min" = 1))]
     pub iterations: Option<u64>,
-    /// Number of coarser levels, each with cells of twice the length. With `duration` the run begins
-    /// on the coarsest and its cells are halved on the way (see `refine_at`): rivers are then those
-    /// of the recipe at that level. With `until = "steady"` each level is made steady, and starts
-    /// the next; that needs a sea level that does not change.
+    /// Number of coarser levels, each with cells of twice the length. With `duration` the run
+    /// begins on the coarsest and its cells are halved on the way (see `refine_at`): rivers are
+    /// then those of the recipe at that level. With `until = "steady"` each level is made steady,
+    /// and starts the next; that needs a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
     /// Times at which cells are halved, with `duration`, in order. If not given, the finest cells
@@ -144,7 +145,10 @@ impl Clock {
                 return Err(Error::parameter("refine", self.refine, hint));
             };
             let times = self.halvings();
-            Level::halved(times.len())?;
+            if times.len() > MOST_HALVINGS {
+                let most = format!("at most {MOST_HALVINGS} with `duration`");
+                return Err(Error::parameter("refine", times.len(), &most));
+            }
             let rises = times.windows(2).all(|t| t[0] < t[1]);
             if !(rises && times.iter().all(|&t| t > 0.0 && t < duration.si())) {
                 let listed: Vec<String> = times.iter().map(|&t| Duration::from_si(t).to_string()).collect();

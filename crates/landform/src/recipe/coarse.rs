@@ -4,26 +4,13 @@
 //! until the first halving is that of a preview, to the bit. A finer level takes over what changed
 //! on the coarser one; what is finer than its cells stays as it was.
 
-use std::sync::Arc;
-
 use landform_core::Result;
-use landform_core::stage::ReadStage;
-use landform_core::terrain::AnyTerrain;
 use landform_core::verb::MemoryOutput;
 
 use super::entry::Work;
+use super::evolve::Coarser;
 use super::options::{Options, Outputs};
 use super::{Level, Ran, Recipe};
-
-/// A coarser level of a stage with processes.
-pub(super) struct Coarser {
-    /// The ground before the stage.
-    pub(super) ground: Arc<AnyTerrain>,
-    /// The processes, for such cells.
-    pub(super) parts: Vec<ReadStage>,
-    /// Time until which it runs, s.
-    pub(super) until: f64,
-}
 
 impl Recipe {
     /// The coarser levels of the stage at an index, coarsest first; none if the run was asked to

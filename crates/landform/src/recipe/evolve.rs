@@ -1,7 +1,7 @@
 //! Running processes on their clock, with what is told, seen and kept on the way.
 
 use std::ops::ControlFlow;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use landform_core::Result;
 use landform_core::random::Seed;
@@ -12,7 +12,6 @@ use landform_core::verb::{Outcome, Output, Stopped};
 
 use super::Recipe;
 use super::checkpoint::Checkpoint;
-use super::coarse::Coarser;
 use super::entry::Evolve;
 use super::options::{Options, Progress, Signal};
 use super::watch::{Watch, Watcher};
@@ -25,6 +24,16 @@ pub(super) struct Evolving<'a, 'b> {
     /// Where the state is kept.
     pub(super) checkpoint: Option<Checkpoint<'a>>,
     pub(super) out: &'a mut dyn Output,
+}
+
+/// A coarser level of a stage with processes.
+pub(super) struct Coarser {
+    /// The ground before the stage.
+    pub(super) ground: Arc<AnyTerrain>,
+    /// The processes, for such cells.
+    pub(super) parts: Vec<ReadStage>,
+    /// Time until which it runs, s.
+    pub(super) until: f64,
 }
 
 /// What processes run by, on every level.

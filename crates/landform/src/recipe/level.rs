@@ -23,6 +23,7 @@ pub struct Level {
 }
 
 const MOST_HALVINGS: u32 = 6;
+const LEVELS: &str = "one of 1, 1/2, 1/4, 1/8, 1/16, 1/32, 1/64";
 
 impl Level {
     /// Factor by which cells are longer.
@@ -37,10 +38,8 @@ impl Level {
     /// # Errors
     /// [`Error::Parameter`] beyond 1/64.
     pub(super) fn halved(halvings: usize) -> Result<Self> {
-        match u32::try_from(halvings) {
-            Ok(halvings) if halvings <= MOST_HALVINGS => Ok(Self { halvings }),
-            _ => Err(Error::parameter("refine", halvings, &format!("at most {MOST_HALVINGS} with `duration`"))),
-        }
+        let halvings = u32::try_from(halvings).ok().filter(|&halvings| halvings <= MOST_HALVINGS);
+        halvings.map(|halvings| Self { halvings }).ok_or_else(|| Error::parameter("level", "beyond 1/64", LEVELS))
     }
 }
 
@@ -50,7 +49,7 @@ impl FromStr for Level {
     fn from_str(text: &str) -> Result<Self> {
         let levels = (0..=MOST_HALVINGS).map(|halvings| Self { halvings });
         let mut named = levels.filter(|level| level.to_string() == text.trim());
-        named.next().ok_or_else(|| Error::parameter("level", text, "one of 1, 1/2, 1/4, 1/8, 1/16, 1/32, 1/64"))
+        named.next().ok_or_else(|| Error::parameter("level", text, LEVELS))
     }
 }
 
