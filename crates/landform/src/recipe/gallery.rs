@@ -32,6 +32,7 @@ macro_rules! recipe {
 pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Landscapes", "alpine_range", "71_alpine_range.toml"),
     recipe!("Landscapes", "folded_range", "72_folded_range.toml"),
+    recipe!("Landscapes", "landslides", "83_landslides.toml"),
     recipe!("Landscapes", "painted_island", "05_painted_island.toml", "data/island_uplift.png"),
     recipe!("Landscapes", "first_mountains", "01_first_mountains.toml"),
     recipe!("Landscapes", "barchans", "39_barchans.toml"),
