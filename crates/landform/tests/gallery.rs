@@ -263,6 +263,7 @@ const SMALL: &[(&str, &[&str])] = &[
     ("hills_and_flood_plains", &["spectral_fbm.grid.cell_size=250 m", "write_picture.size=160"]),
     ("desert_basin", &["spectral_fbm.grid.cell_size=250 m", "write_picture.size=160"]),
     ("folded_range", &["layered_ground.grid.cell_size=250 m", "write_picture.size=160"]),
+    ("landslides", &["surface.grid.cell_size=100 m", "write_picture.size=160"]),
     ("alpine_range", &["spectral_fbm.grid.cell_size=250 m", "write_picture.size=160"]),
     ("tableland", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
     ("limestone_cave", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),

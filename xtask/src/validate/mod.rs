@@ -1,6 +1,7 @@
 //! Convergence studies and statistics, longer than tests may be.
 
 mod karst;
+mod landslides;
 
 use std::process::Command;
 
@@ -17,7 +18,7 @@ const K: f64 = 1e-5;
 
 /// Prints the tables, and tries what the tests try a little of at length.
 pub(crate) fn run() -> bool {
-    match profile().and_then(|()| time_step()).and_then(|()| karst::networks()) {
+    match profile().and_then(|()| time_step()).and_then(|()| karst::networks()).and_then(|()| landslides::sizes()) {
         Ok(()) => {
             at_length("LANDFORM_HOSTILE", "2000", &["landform", "--test", "hostile"])
                 & at_length("LANDFORM_KILLS", "200", &["landform-cli", "--test", "faults", "killed_at_any_moment"])

@@ -86,6 +86,15 @@ pub const DISCHARGE: Key<f64> = Key::new("discharge", "m3/s", "water that runs t
 pub const WATER_SUPPLY: Key<f64> = Key::new("water_supply", "m/s", "rain, springs and inflow that come to the place");
 /// Units of water that left a cell.
 pub const STREAM_VISITS: Key<f64> = Key::new("stream_visits", "1", "units of water that have left the place");
+/// Thickness of what landslides laid down.
+pub const LANDSLIDE_DEPOSIT: Key<f64> = Key::new(
+    "landslide_deposit",
+    "m",
+    "thickness that landslides of the run laid down, less what later ones took; what rivers took counts as there",
+);
+/// Area of landslides.
+pub const LANDSLIDE_AREA: Key<f64> =
+    Key::new("landslide_area", "m2", "area of the landslide of the last step that took the ground; 0 where none did");
 /// Name, unit and meaning of every standard field.
 pub const ALL: &[(&str, &str, &str)] = &[
     (ELEVATION.name, ELEVATION.unit, ELEVATION.meaning),
@@ -115,6 +124,8 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (DISCHARGE.name, DISCHARGE.unit, DISCHARGE.meaning),
     (WATER_SUPPLY.name, WATER_SUPPLY.unit, WATER_SUPPLY.meaning),
     (STREAM_VISITS.name, STREAM_VISITS.unit, STREAM_VISITS.meaning),
+    (LANDSLIDE_DEPOSIT.name, LANDSLIDE_DEPOSIT.unit, LANDSLIDE_DEPOSIT.meaning),
+    (LANDSLIDE_AREA.name, LANDSLIDE_AREA.unit, LANDSLIDE_AREA.meaning),
 ];
 
 /// Unit of a standard field.

@@ -21,10 +21,12 @@
 //! ```
 
 mod implicit;
+mod landslides;
 mod linear_diffusion;
 mod nonlinear_diffusion;
 mod thermal_erosion;
 
+pub use landslides::Landslides;
 pub use linear_diffusion::LinearDiffusion;
 pub use nonlinear_diffusion::NonlinearDiffusion;
 pub use thermal_erosion::ThermalErosion;
@@ -32,6 +34,7 @@ pub use thermal_erosion::ThermalErosion;
 use landform_core::terrain::{HeightField, Mesh};
 
 landform_core::stages! {
+    process Landslides where HeightField, Mesh;
     process LinearDiffusion where HeightField, Mesh;
     process NonlinearDiffusion where HeightField;
     process ThermalErosion where HeightField, Mesh;

@@ -34,6 +34,7 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Landscapes", "folded_range", "72_folded_range.toml"),
     recipe!("Landscapes", "hills_and_flood_plains", "78_hills_and_flood_plains.toml"),
     recipe!("Landscapes", "desert_basin", "79_desert_basin.toml"),
+    recipe!("Landscapes", "landslides", "83_landslides.toml"),
     recipe!("Landscapes", "painted_island", "05_painted_island.toml", "data/island_uplift.png"),
     recipe!("Landscapes", "first_mountains", "01_first_mountains.toml"),
     recipe!("Landscapes", "barchans", "39_barchans.toml"),
