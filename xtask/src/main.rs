@@ -21,6 +21,7 @@ const HELP: &str = "cargo xtask COMMAND
   fuzz [SECONDS]      throws damaged files at every reader, SECONDS each (60)
   reproduce NAME      a thesis' tables and figures, ours beside its own (docs); without a name: which there are
   validate            convergence studies; prints tables
+  validate card [FOLDER]  verdicts of the report card on fakes, and on crops of a folder's elevation files
   peers TASK          a task of other programs' benchmarks, one line of JSON (build with --release)
   bench               cargo bench";
 
@@ -34,7 +35,7 @@ fn main() -> ExitCode {
         Some("gallery") => gallery(args.iter().any(|a| a == "--accept")),
         Some("fuzz") => fuzz::run(args.get(1).and_then(|s| s.parse().ok()).unwrap_or(60.0)),
         Some("reproduce") => reproduce::run(&args[1..]),
-        Some("validate") => validate::run(),
+        Some("validate") => validate::run(&args[1..]),
         Some("peers") => peers::run(&args[1..]),
         Some("bench") => cargo(&["bench", "--workspace"], &[]),
         _ => {

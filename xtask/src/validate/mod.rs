@@ -1,8 +1,10 @@
 //! Convergence studies and statistics, longer than tests may be.
 
+mod card;
 mod karst;
 mod landslides;
 
+use std::path::Path;
 use std::process::Command;
 
 use landform::core::grid::{Edge, Edges, Grid, Shape};
@@ -16,9 +18,16 @@ use landform::process::uplift::Uplift;
 const U: f64 = 1e-3;
 const K: f64 = 1e-5;
 
-/// Prints the tables, and tries what the tests try a little of at length.
-pub(crate) fn run() -> bool {
-    match profile().and_then(|()| time_step()).and_then(|()| karst::networks()).and_then(|()| landslides::sizes()) {
+/// Prints the tables, and tries what the tests try a little of at length. With "card" only the
+/// card's verdicts are printed, on fakes and on crops of a folder's elevation files.
+pub(crate) fn run(args: &[String]) -> bool {
+    if args.first().is_some_and(|a| a == "card") {
+        let done = card::study(args.get(1).map(Path::new));
+        return done.inspect_err(|e| eprintln!("error: {e}")).is_ok();
+    }
+    let studies: [fn() -> Result<()>; 5] =
+        [profile, time_step, karst::networks, landslides::sizes, || card::study(None)];
+    match studies.iter().try_for_each(|study| study()) {
         Ok(()) => {
             at_length("LANDFORM_HOSTILE", "2000", &["landform", "--test", "hostile"])
                 & at_length("LANDFORM_KILLS", "200", &["landform-cli", "--test", "faults", "killed_at_any_moment"])

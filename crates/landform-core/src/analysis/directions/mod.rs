@@ -32,6 +32,8 @@ const LEAST_SLOPE: f64 = 8.0;
 const CHANNEL: f64 = 100.0;
 /// Least cell for which the ranges hold, m.
 const LEAST_CELL: f64 = 9.0;
+/// Rounding of the ends of ranges.
+const ROUNDING: f64 = 5e-4;
 
 /// A number with its natural range.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -141,7 +143,8 @@ fn is_near_45(degrees: f64) -> bool {
 /// Whether a value lies in its natural range; none for one that is not finite.
 pub(super) fn is_natural(value: f64, [low, high]: [f64; 2]) -> Option<bool> {
     // A rounding error at the end of a range is inside.
-    value.is_finite().then_some(value >= low - 5e-4 && value <= high + 5e-4)
+    let below = if low > 0.0 { ROUNDING.min(0.5 * low) } else { ROUNDING };
+    value.is_finite().then_some(value >= low - below && value <= high + ROUNDING)
 }
 
 /// Share of the commonest degree, skew and mean of slopes.
