@@ -72,14 +72,14 @@ impl Off<'_> {
         let below = value < low;
         let what = self.fault().map_or(self.line.name.as_str(), |f| if below { f.1 } else { f.2 });
         let bound = if below { format!("at least {}", short(low)) } else { format!("at most {}", short(high)) };
-        format!("{what} ({} {}, real ground {bound})", self.line.name.to_lowercase(), short(value))
+        format!("{what} ({} {}, real ground {bound})", self.line.name, short(value))
     }
 }
 
 /// Three digits or so.
 fn short(v: f64) -> String {
     match v.abs() {
-        a if a > 0.0 && a < 1e-3 => format!("{v:e}"),
+        a if a > 0.0 && a < 1e-3 => format!("{v:.0e}"),
         a if a < 10.0 => format!("{:?}", (v * 1e3).round() / 1e3),
         _ => format!("{v:.1}"),
     }
