@@ -59,6 +59,26 @@ landform_core::stages! {
 
 /// Lateral erosion: rivers wear their banks and widen their valleys, so that slow rivers get floors
 /// on which they swing.
+///
+/// ```
+/// use landform_core::grid::{Edge, Edges, Grid, Shape};
+/// use landform_core::sim::Model;
+/// use landform_core::terrain::HeightField;
+/// use landform_core::units::{Area, MYR};
+/// use landform_process::bank::LateralErosion;
+///
+/// # fn main() -> landform_core::Result<()> {
+/// // A river down the middle row to the east, between banks of a metre.
+/// let mut grid = Grid::new(Shape::new(3, 30), [10.0; 2])?;
+/// grid.edges = Edges { east: Edge::Open, ..Edges::all(Edge::Closed) };
+/// let height = |i: usize| 0.1 * (29 - i % 30) as f64 + if i / 30 == 1 { 0.0 } else { 1.0 };
+/// let mut model = Model::new(HeightField::new(grid, (0..90).map(height).collect())?).dt(10.0 * MYR);
+/// model.add(LateralErosion { least_area: Area::of(2000.0), ..LateralErosion::default() })?;
+/// model.advance_steps(50)?;
+/// assert!(model.budget().change.eroded > 0.0 && model.budget().imbalance() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LateralErosion {
@@ -68,8 +88,8 @@ pub struct LateralErosion {
     /// Area exponent m, as in `stream_power`.
     #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]
     pub area_exponent: f64,
-    /// How much faster banks are worn than beds, volume for volume. Langston & Tucker: 1 to 1.5;
-    /// more where banks are weak.
+    /// Volume of bank that is worn off for each part of bed. Langston & Tucker: 1 to 1.5; tens
+    /// where banks are loose.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e4))]
     pub ratio: f64,
     /// Drainage area from which a river wears its banks.

@@ -7,6 +7,25 @@ use serde::{Deserialize, Serialize};
 
 /// Deep landslides: rock that stands higher than its strength allows breaks off along a rupture
 /// surface, runs down and comes to rest below, as a deposit that rivers can carry away.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::sim::Model;
+/// use landform_core::terrain::HeightField;
+/// use landform_core::units::KYR;
+/// use landform_process::hillslope::Landslides;
+///
+/// # fn main() -> landform_core::Result<()> {
+/// // A cliff of 300 m between two plains.
+/// let grid = Grid::new(Shape::new(9, 40), [10.0; 2])?;
+/// let cliff = (0..9 * 40).map(|i| if i % 40 < 20 { 300.0 } else { 0.0 }).collect();
+/// let mut model = Model::new(HeightField::new(grid, cliff)?).dt(KYR);
+/// model.add(Landslides { cohesion: 1e4, return_time: landform_core::units::Duration::of(100.0), ..Landslides::default() })?;
+/// model.advance_steps(20)?;
+/// assert!(model.budget().change.eroded > 0.0 && model.budget().imbalance() < 1e-9);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Landslides {
@@ -18,7 +37,7 @@ pub struct Landslides {
     /// other ground.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub friction_angle: Option<Varying<AngleDimension>>,
-    /// Density of the rock, kg/m3.
+    /// Density of the rock, kg/m³.
     #[schemars(extend("x-above" = 0.0, "x-max" = 30_000.0))]
     pub density: f64,
     /// Time in which ground that stands just at its critical height fails once on average: in a
