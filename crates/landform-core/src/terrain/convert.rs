@@ -157,7 +157,7 @@ fn linear(mesh: &Mesh, grid: &Grid, triangle: &[u32], values: &[f64]) -> Vec<f64
     })
 }
 
-fn barycentric(mesh: &Mesh, corners: [u32; 3], p: [f64; 2]) -> [f64; 3] {
+pub(super) fn barycentric(mesh: &Mesh, corners: [u32; 3], p: [f64; 2]) -> [f64; 3] {
     let [a, b, c] = corners.map(|i| mesh.positions()[i as usize]);
     let cross = |o: [f64; 2], u: [f64; 2], v: [f64; 2]| (u[0] - o[0]) * (v[1] - o[1]) - (u[1] - o[1]) * (v[0] - o[0]);
     let total = cross(a, b, c);
@@ -166,7 +166,7 @@ fn barycentric(mesh: &Mesh, corners: [u32; 3], p: [f64; 2]) -> [f64; 3] {
 }
 
 /// The triangle over each node of the grid (the first in order where several touch), or `u32::MAX`.
-fn locate(mesh: &Mesh, grid: &Grid) -> Vec<u32> {
+pub(super) fn locate(mesh: &Mesh, grid: &Grid) -> Vec<u32> {
     let mut owner = vec![u32::MAX; grid.len()];
     let (cols, rows) = (grid.shape.cols as f64, grid.shape.rows as f64);
     for (t, corners) in mesh.triangles().iter().enumerate() {

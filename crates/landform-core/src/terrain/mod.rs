@@ -25,6 +25,7 @@
 mod any;
 mod coarsen;
 mod convert;
+mod cubic;
 mod erode;
 mod gaussian;
 mod ground;
@@ -45,6 +46,7 @@ use serde::de::DeserializeOwned;
 
 pub use any::{AnyTerrain, Body, Rasterize, Representation, Surface, Visit, bytes_a_node, not_a_surface};
 pub use convert::{Interpolation, height_field_from_mesh, mesh_parts_from_height_field, resample, sample_by};
+pub use cubic::cubic_from_mesh;
 pub use erode::{Brush, Erodible, Removed};
 pub use gaussian::gaussian_from_mesh;
 pub use ground::{Bounds, Ground};

@@ -5,7 +5,7 @@ use landform_core::algo::flow::Flow;
 use landform_core::algo::outlets::at_or_under;
 use landform_core::field::names;
 use landform_core::terrain::{
-    HeightField, Layer, Mesh, NodeSurface, gaussian_from_mesh, height_field_from_mesh, sea_level,
+    HeightField, Layer, Mesh, NodeSurface, cubic_from_mesh, gaussian_from_mesh, height_field_from_mesh, sea_level,
 };
 use landform_core::units::Length;
 use landform_core::verb::{Convert, Estimate, Params, Source};
@@ -35,6 +35,9 @@ pub struct ToHeightField {
 pub enum Method {
     /// Linear on every triangle: slopes and ridges as they are.
     Linear,
+    /// Smooth curves through the nodes (Clough and Tocher): no facets, but a little beyond the nodes
+    /// where the ground bends sharply. For cells that are smaller than the distance between nodes.
+    Cubic,
     /// The mean of nodes under a Gaussian kernel (Bell's thesis): smooth, and lower on ridges.
     Gaussian,
 }
@@ -47,14 +50,22 @@ impl Default for ToHeightField {
 
 impl Params for ToHeightField {
     const NAME: &'static str = "to_height_field";
-    const SOURCES: &'static [Source] = &[];
+    const SOURCES: &'static [Source] = &[Source {
+        authors: "Clough & Tocher (1965)",
+        title: "Finite element stiffness matrices for analysis of plate bending, Proc. 1st Conf. Matrix Methods in Structural Mechanics",
+        doi: "",
+    }];
 }
 
 impl Convert<Mesh, HeightField> for ToHeightField {
     fn convert(&self, source: &Mesh) -> Result<HeightField> {
         let mut field = height_field_from_mesh(source, self.cell_size.si())?;
-        if self.method == Method::Gaussian {
-            let smooth = gaussian_from_mesh(source, &field, self.sigma);
+        let smooth = match self.method {
+            Method::Linear => None,
+            Method::Cubic => Some(cubic_from_mesh(source, &field)),
+            Method::Gaussian => Some(gaussian_from_mesh(source, &field, self.sigma)),
+        };
+        if let Some(smooth) = smooth {
             field.change(Layer::Bedrock, |z| z.copy_from_slice(&smooth));
             let sea = source.chosen_status().and_then(|status| sea_level(status, source.elevation()));
             if let Some(level) = sea {
