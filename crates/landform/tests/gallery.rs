@@ -273,6 +273,8 @@ const SMALL: &[(&str, &[&str])] = &[
     ("fractured_cave", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
     ("trunk_cave", &["rock_volume.grid.cell_size=2 m", "write_picture.size=160"]),
     ("cuestas", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
+    ("folded_and_faulted", &["layered_ground.grid.cell_size=250 m", "write_picture.size=160"]),
+    ("volcanic_plateau", &["layered_ground.grid.cell_size=220 m", "write_picture.size=160"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]

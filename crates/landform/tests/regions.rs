@@ -23,6 +23,7 @@ const VARIANTS: &[(&str, &str)] = &[
     ("shape", "form = \"steps\"\ndirection = \"30 deg\""),
     ("noise", "fractal = \"ridged\"\nwarp = \"200 m\""),
     ("surface", "elevation = { formula = \"100*r + noise()\", unit = \"m\" }"),
+    ("layered_ground", "surface = { formula = \"100*v\", unit = \"m\" }\nrock = \"folded\""),
     (
         "layered_ground",
         "surface = { formula = \"100*v\", unit = \"m\" }\ntop = \"90 m\"\ndip = \"4 deg\"\n\

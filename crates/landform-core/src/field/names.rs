@@ -55,6 +55,9 @@ pub const EXPOSURE: Key<f64> = Key::new("exposure", "1", "1 where the sun or the
 /// Drainage area spread by D-infinity.
 pub const SPREAD_AREA: Key<f64> =
     Key::new("spread_area", "m2", "upslope area, own cell included, by D-infinity: water spreads over two neighbours");
+/// Joints and faults.
+pub const JOINTS: Key<f64> =
+    Key::new("joints", "1", "how many times as fast rock wears, 1 away from joints and faults");
 /// A mask.
 pub const MASK: Key<f64> = Key::new("mask", "1", "how much a place is chosen, 0 to 1");
 /// With the name of a material before it: the depth of that loose layer, m, part of the elevation

@@ -127,6 +127,28 @@ impl Materials {
         Ok(Self(Arc::new(all)))
     }
 
+    /// The table with more materials after the others.
+    ///
+    /// ```
+    /// use landform_core::terrain::Materials;
+    ///
+    /// let materials = Materials::default();
+    /// let ash = materials.get(materials.need("basalt", "material")?).clone();
+    /// assert_eq!(materials.and(vec![ash])?.all().len(), materials.all().len() + 1);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for more than 255 materials.
+    pub fn and(&self, more: Vec<Material>) -> Result<Self> {
+        let mut all = (*self.0).clone();
+        all.extend(more);
+        if all.len() > usize::from(u8::MAX) {
+            return Err(Error::parameter("materials", all.len(), "at most 255 with the built-in ones"));
+        }
+        Ok(Self(Arc::new(all)))
+    }
+
     /// All, in order; a material's place is its number in the field `surface_material`.
     pub fn all(&self) -> &[Material] {
         &self.0

@@ -24,6 +24,7 @@ mod find_features;
 mod mask;
 mod resample;
 mod set_outlets;
+mod set_relief;
 mod to_height_field;
 mod warp;
 
@@ -36,6 +37,7 @@ pub use find_features::FindFeatures;
 pub use mask::Mask;
 pub use resample::Resample;
 pub use set_outlets::SetOutlets;
+pub use set_relief::{ReliefAbove, SetRelief};
 pub use to_height_field::ToHeightField;
 pub use warp::Warp;
 
@@ -51,6 +53,7 @@ landform_core::stages! {
     edit Mask where HeightField;
     edit Resample where HeightField;
     edit SetOutlets where HeightField, Mesh;
+    edit SetRelief where HeightField, Mesh;
     edit Warp where HeightField;
     convert ToHeightField where Mesh => HeightField;
 }

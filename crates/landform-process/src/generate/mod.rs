@@ -30,7 +30,7 @@ pub use crate::mechanism::GridParams;
 pub use blend::{Blend, BlendMode};
 pub use faulting::Faulting;
 pub use flat::Flat;
-pub use layered_ground::{BedParams, LayeredGround, LooseParams};
+pub use layered_ground::{BedParams, FoldParams, JointParams, LayeredGround, LooseParams, RockKind, SequenceParams};
 pub use midpoint_displacement::MidpointDisplacement;
 pub use noise::Noise;
 pub use shape::{Form, Shape};

@@ -117,6 +117,8 @@ landform_core::stages! {
 #[serde(bound = "")]
 pub struct State<D> {
     erodibility: Resolved,
+    /// How many times as fast rock wears.
+    weakness: Option<Resolved>,
     /// Rainfall over its mean; none where it is uniform.
     rain: Option<Vec<f64>>,
     /// Rainfall in the last step, where it changes in time, m/s.
@@ -184,6 +186,13 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         {
             return Err(Error::AtNode { name: "erodibility".into(), node: i, value: k[i], expected: "at least 0" });
         }
+        let resolve = |given: &Varying<_>| given.resolve("weakness", terrain, context);
+        let weakness = self.weakness.as_ref().map(resolve).transpose()?;
+        if let Some(Resolved::PerNode(w)) = &weakness
+            && let Some(i) = parallel::find_first(w.len(), |i| w[i] < 0.0)
+        {
+            return Err(Error::AtNode { name: "weakness".into(), node: i, value: w[i], expected: "at least 0" });
+        }
         let sea_level = self.sea_at(context.time, context.environment).unwrap_or(0.0);
         if let Some(outlets) = &self.outlets {
             outlets.apply(terrain, sea_level, context)?;
@@ -203,6 +212,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         };
         Ok(State {
             erodibility,
+            weakness,
             rain,
             rain_now: None,
             base,
@@ -260,13 +270,13 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         *dt = Some(at.dt);
         let floor = if self.ends_in_sea() { state.sea_level } else { f64::NEG_INFINITY };
         let law = self.law(floor, at.dt, terrain.layers().is_some());
-        let (base, erodibility) = (&state.base, &state.erodibility);
+        let (base, erodibility, weakness) = (&state.base, &state.erodibility, state.weakness.as_ref());
         let by_material = self.erodibility.is_none();
         // Layers are read while elevations are found, and follow afterwards; without layers
         // elevations change in place.
         let mut work = |z: &mut [f64], layers: Option<&Layers>| {
             let mut change = hold_base_level(z, &*domain, base, risen);
-            let rock = Rock { erodibility, layers, by_material };
+            let rock = Rock { erodibility, layers, weakness, by_material };
             if self.deposition > 0.0 {
                 change = change.plus(sediment.sweep(&*domain, flow, &law, &rock, amount, z));
             } else {

@@ -1,7 +1,9 @@
 //! Parameters of stream power.
 
 use landform_core::algo::flow::Descent;
-use landform_core::units::{Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension};
+use landform_core::units::{
+    Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension, RatioDimension,
+};
 use landform_core::verb::{Changing, Environment, Outlets, Params, Source, Varying};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
@@ -26,6 +28,10 @@ pub struct StreamPower {
     /// other ground has 2e-6 1/yr. Loose layers always have their own.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e3))]
     pub erodibility: Option<Varying<ErodibilityDimension>>,
+    /// How many times as fast rock wears; may vary in space, as along joints: { field = "joints" }
+    /// of `layered_ground`. Loose layers wear as they do. If not given, it is 1.
+    #[schemars(extend("x-min" = 0.0, "x-max" = 1e3))]
+    pub weakness: Option<Varying<RatioDimension>>,
     /// Area exponent m; m/n is the concavity of river profiles.
     #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]
     pub area_exponent: f64,
@@ -90,6 +96,7 @@ impl Default for StreamPower {
     fn default() -> Self {
         Self {
             erodibility: None,
+            weakness: None,
             area_exponent: 0.5,
             slope_exponent: 1.0,
             talus_angle: None,

@@ -14,6 +14,8 @@ pub(super) struct Rock<'a> {
     pub(super) erodibility: &'a Resolved,
     /// What the ground is made of.
     pub(super) layers: Option<&'a Layers>,
+    /// How many times as fast rock wears at each node; none for once.
+    pub(super) weakness: Option<&'a Resolved>,
     /// Whether rock has its own material's erodibility rather than the parameter's.
     pub(super) by_material: bool,
 }
@@ -21,17 +23,29 @@ pub(super) struct Rock<'a> {
 impl Rock<'_> {
     /// Erodibility of a material at a node, m^(1-2m)/s.
     fn of(&self, node: usize, number: u8, layers: &Layers, is_loose: bool) -> f64 {
-        if self.by_material || is_loose {
-            layers.materials().get(number).erodibility
-        } else {
-            self.erodibility.at(node)
+        let of_material = layers.materials().get(number).erodibility;
+        match is_loose {
+            true => of_material,
+            false if self.by_material => of_material * self.weak(node),
+            false => self.plain(node),
         }
+    }
+
+    #[inline]
+    fn weak(&self, node: usize) -> f64 {
+        self.weakness.map_or(1.0, |weakness| weakness.at(node))
+    }
+
+    /// Erodibility of rock without layers, m^(1-2m)/s.
+    #[inline]
+    fn plain(&self, node: usize) -> f64 {
+        self.erodibility.at(node) * self.weak(node)
     }
 
     /// Erodibility at the surface of a node at `z`.
     pub(super) fn erodibility(&self, node: usize, z: f64) -> f64 {
         match self.layers {
-            None => self.erodibility.at(node),
+            None => self.plain(node),
             Some(layers) => {
                 let number = layers.surface_number(node, z);
                 let is_loose = layers.loose().any(|l| l == layers.materials().get(number).name);
@@ -140,7 +154,7 @@ mod tests {
     fn a_step_through_beds_solves_its_equation() {
         let layers = layered(&[("sandstone", 3.0), ("shale", 1e6)]);
         let k = Resolved::Uniform(0.0);
-        let rock = Rock { erodibility: &k, layers: Some(&layers), by_material: true };
+        let rock = Rock { erodibility: &k, layers: Some(&layers), weakness: None, by_material: true };
         for exponent in [1.0, 2.0, 0.7] {
             let params = StreamPower { slope_exponent: exponent, limiting_slope: Some(0.0), ..StreamPower::default() };
             let law = params.law(f64::NEG_INFINITY, 20_000.0 * YEAR, true);
@@ -168,7 +182,7 @@ mod tests {
         let law = StreamPower { talus_angle: Some(landform_core::units::Angle::of(80.0)), ..StreamPower::default() }
             .law(f64::NEG_INFINITY, 1e4 * YEAR, true);
         let k = Resolved::Uniform(layers.surface(0, 0.0).erodibility);
-        let plain = Rock { erodibility: &k, layers: None, by_material: false };
+        let plain = Rock { erodibility: &k, layers: None, weakness: None, by_material: false };
         let mut z = ground.elevation().to_vec();
         super::super::braun_willett_2013::sweep(&*domain, &flow, &law, &plain, &mut area.clone(), &mut z);
         let beds = Rock { layers: Some(&layers), by_material: true, ..plain };
@@ -176,5 +190,20 @@ mod tests {
         for (a, b) in z.iter().zip(ground.elevation()) {
             assert!((a - b).abs() < 1e-9, "{a} {b}");
         }
+    }
+
+    #[test]
+    fn weak_rock_wears_faster() {
+        let layers = layered(&[("sandstone", 1e6)]);
+        let (k, weakness) = (Resolved::Uniform(3.0), Resolved::Uniform(4.0));
+        let sandstone = layers.surface(4, 100.0).erodibility;
+        let of = |layers: &Layers, by_material: bool| {
+            Rock { erodibility: &k, layers: Some(layers), weakness: Some(&weakness), by_material }.erodibility(4, 90.0)
+        };
+        assert_eq!((of(&layers, true), of(&layers, false)), (4.0 * sandstone, 12.0));
+        assert_eq!(
+            Rock { erodibility: &k, layers: None, weakness: Some(&weakness), by_material: false }.erodibility(4, 90.0),
+            12.0
+        );
     }
 }

@@ -47,7 +47,7 @@ fn every_node_obeys_the_equation_of_the_step_and_sediment_is_conserved() {
         assert!(flow.lakes() > 20);
         let law = params.law(f64::NEG_INFINITY, dt, false);
         let k = Resolved::Uniform(K / YEAR);
-        let rock = Rock { erodibility: &k, layers: None, by_material: false };
+        let rock = Rock { erodibility: &k, layers: None, weakness: None, by_material: false };
         let change = terrain
             .change(Layer::Bedrock, |z| Sediment::default().sweep(&*domain, &flow, &law, &rock, &mut area.clone(), z));
         assert!(((change.eroded - change.deposited - change.exported) / change.eroded).abs() < 1e-12);

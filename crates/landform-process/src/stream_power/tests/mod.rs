@@ -167,7 +167,7 @@ fn one_endless_step_on_fixed_receivers_is_the_steady_state() {
         .collect();
     let law = law(0.5, 1.0).law(f64::NEG_INFINITY, dt, false);
     let k = Resolved::Uniform(K / YEAR);
-    let rock = Rock { erodibility: &k, layers: None, by_material: false };
+    let rock = Rock { erodibility: &k, layers: None, weakness: None, by_material: false };
     sweep(&*domain, &flow, &law, &rock, &mut area, &mut z);
     for (new, old) in z.iter().zip(terrain.elevation()) {
         assert!((new - old).abs() <= 1e-9 * old.abs(), "{new} {old}");

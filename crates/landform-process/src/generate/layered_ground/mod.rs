@@ -1,7 +1,9 @@
 //! Ground of bedded rock with loose layers on it.
 
+use landform_core::field::names;
 use landform_core::grid::Grid;
-use landform_core::terrain::{Bed, HeightField, Layers, NodeSurface};
+use landform_core::random::Seed;
+use landform_core::terrain::{Bed, HeightField, Layers, Materials, NodeSurface};
 use landform_core::units::{Angle, Length, LengthDimension};
 use landform_core::verb::{Context, Estimate, Generator, Params, Reach, Resolved, Source, Varying};
 use landform_core::{Error, Result, math, parallel};
@@ -10,8 +12,15 @@ use serde::{Deserialize, Serialize};
 
 use super::GridParams;
 
+mod joints;
+mod rock;
+
+pub use joints::JointParams;
+pub use rock::{FoldParams, RockKind, SequenceParams};
+
 /// Ground in beds of rock that dip to a side, with loose layers such as soil on them. Each bed has
-/// its own erodibility and angle of repose, from which mesas, cuestas and ledges follow.
+/// its own erodibility and angle of repose, from which mesas, cuestas and ledges follow. A kind of
+/// rock draws the beds by the seed, and says how they dip and are folded.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct LayeredGround {
@@ -19,17 +28,30 @@ pub struct LayeredGround {
     pub grid: GridParams,
     /// Elevation of the surface, loose layers included; may vary in space.
     pub surface: Varying<LengthDimension>,
+    /// Kind of rock: its beds are drawn by the seed, each with an erodibility and a limiting slope
+    /// of its own, and `dip`, `dip_direction` and `folds` are the kind's where they are not given.
+    pub rock: Option<RockKind>,
+    /// Laws that beds are drawn by, in place of the kind's.
+    pub sequence: Option<SequenceParams>,
     /// Beds from the top, repeated downwards: { material, thickness }. If none are given, the
-    /// ground is one rock without beds.
+    /// ground is one rock without beds. They may not be given beside `rock` or `sequence`, which
+    /// draw them.
     pub beds: Vec<BedParams>,
-    /// Elevation of the upper face of the first bed, before it dips about the middle of the map. If
-    /// not given, it is the highest ground. Beds are folded where it varies in space.
+    /// Elevation of the upper face of the first bed, before it dips about the middle of the map and
+    /// is folded. If not given, it is the highest ground, for drawn beds 0 m. Beds are bent where it
+    /// varies in space.
     pub top: Option<Varying<LengthDimension>>,
-    /// Angle by which beds dip.
+    /// Angle by which beds dip. If not given, it is the rock's, or else 0.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]
-    pub dip: Angle,
-    /// Compass direction towards which they dip.
-    pub dip_direction: Angle,
+    pub dip: Option<Angle>,
+    /// Compass direction towards which they dip. If not given, it is the rock's, or else north.
+    pub dip_direction: Option<Angle>,
+    /// Folds of the beds. If not given, they are the rock's, or else none.
+    pub folds: Option<FoldParams>,
+    /// Sets of joints and faults: zones of weaker rock along wavy lines, across which faults offset
+    /// the beds. They leave the field `joints`, how many times as fast rock wears there, for
+    /// `weakness = { field = "joints" }` of `stream_power`.
+    pub joints: Vec<JointParams>,
     /// Loose layers, lowest first: { material, depth }. The depth may vary in space.
     pub layers: Vec<LooseParams>,
 }
@@ -56,16 +78,25 @@ pub struct LooseParams {
     pub depth: Varying<LengthDimension>,
 }
 
+/// Beds where none are said.
+fn usual_beds() -> Vec<BedParams> {
+    let bed = |material: &str, thickness| BedParams { material: material.into(), thickness: Length::of(thickness) };
+    vec![bed("sandstone", 60.0), bed("shale", 90.0)]
+}
+
 impl Default for LayeredGround {
     fn default() -> Self {
-        let bed = |material: &str, thickness| BedParams { material: material.into(), thickness: Length::of(thickness) };
         Self {
             grid: GridParams::default(),
             surface: Length::of(400.0).into(),
-            beds: vec![bed("sandstone", 60.0), bed("shale", 90.0)],
+            rock: None,
+            sequence: None,
+            beds: usual_beds(),
             top: None,
-            dip: Angle::of(0.0),
-            dip_direction: Angle::of(0.0),
+            dip: None,
+            dip_direction: None,
+            folds: None,
+            joints: Vec::new(),
             layers: Vec::new(),
         }
     }
@@ -80,42 +111,79 @@ impl Params for LayeredGround {
         if let Some(bed) = self.beds.iter().find(|b| !(b.thickness.si() > 0.0)) {
             return Err(Error::parameter("beds", format!("a bed of {}", bed.thickness), "beds thicker than 0 m"));
         }
+        if self.is_drawn() && self.beds != usual_beds() {
+            let found = format!("{} beds beside rock or sequence", self.beds.len());
+            return Err(Error::parameter("beds", found, "either beds, or a rock or sequence that draws them"));
+        }
         Ok(())
     }
 
+    fn leaves(&self) -> Vec<String> {
+        if self.joints.is_empty() { Vec::new() } else { vec![names::JOINTS.name.into()] }
+    }
+
     fn reach(&self) -> Reach {
-        if self.beds.is_empty() || self.top.is_some() { Reach::Point } else { Reach::Whole }
+        if self.beds.is_empty() || self.top.is_some() || self.is_drawn() { Reach::Point } else { Reach::Whole }
     }
 }
 
 impl LayeredGround {
-    fn strata(&self, terrain: &HeightField, context: &Context) -> Result<Layers> {
+    /// Sets of joints, each with a seed of its own.
+    fn sets(&self, context: &Context) -> impl Iterator<Item = (&JointParams, Seed)> {
+        let seed = context.seed.named("joints");
+        self.joints.iter().enumerate().map(move |(k, set)| (set, seed.with(k as u64)))
+    }
+
+    /// Whether beds are drawn rather than given.
+    fn is_drawn(&self) -> bool {
+        self.rock.is_some() || self.sequence.is_some()
+    }
+
+    /// The materials, and the beds with their thickness across them.
+    fn sequence(&self, context: &Context) -> Result<(Materials, Vec<Bed>)> {
         let materials = &context.environment.materials;
-        let grid = terrain.grid();
-        if self.beds.is_empty() {
-            return Ok(Layers::rock(materials, grid.len()));
+        if self.is_drawn() {
+            let laws = self.sequence.clone().unwrap_or_default();
+            return rock::draw(self.rock, &laws, materials, context.seed);
         }
-        // Thickness is across the bed, depth is measured straight down.
-        let upright = 1.0 / math::cos(self.dip.si());
         let bed = |b: &BedParams| {
             let material = materials.need(&b.material, "beds.material")?;
-            Ok(Bed { material, thickness: b.thickness.si() * upright })
+            Ok(Bed { material, thickness: b.thickness.si() })
         };
-        let sequence = self.beds.iter().map(bed).collect::<Result<Vec<_>>>()?;
+        Ok((materials.clone(), self.beds.iter().map(bed).collect::<Result<_>>()?))
+    }
+
+    fn strata(&self, terrain: &HeightField, context: &Context) -> Result<Layers> {
+        let grid = terrain.grid();
+        let (materials, mut sequence) = self.sequence(context)?;
+        if sequence.is_empty() {
+            return Ok(Layers::rock(&materials, grid.len()));
+        }
+        let kind = self.rock.map(RockKind::kind);
+        let of_kind = |k: usize| kind.as_ref().map_or(Angle::of(0.0), |kind| Angle::of(kind.dip[k]));
+        let dip = self.dip.unwrap_or_else(|| of_kind(0)).si();
+        let azimuth = self.dip_direction.unwrap_or_else(|| of_kind(1)).si();
+        let folds = self.folds.as_ref().or(kind.as_ref().and_then(|kind| kind.folds.as_ref()));
+        // Thickness is across the bed, depth is measured straight down.
+        let upright = 1.0 / math::cos(dip);
+        sequence.iter_mut().for_each(|bed| bed.thickness *= upright);
         let z = terrain.elevation();
         let top = match &self.top {
             Some(top) => top.resolve("top", terrain, context)?,
+            None if self.is_drawn() => Resolved::Uniform(0.0),
             None => Resolved::Uniform(parallel::max(z.len(), |i| z[i])),
         };
         let [lo, hi] = terrain.whole_bounds();
         let middle = [0, 1].map(|k| 0.5 * (lo[k] + hi[k]));
-        let (azimuth, fall) = (self.dip_direction.si(), math::tan(self.dip.si()));
+        let fall = math::tan(dip);
         let towards = [math::sin(azimuth), math::cos(azimuth)];
         let datum = parallel::map(z.len(), |i| {
             let [x, y] = grid.position(i);
-            top.at(i) - fall * ((x - middle[0]) * towards[0] + (y - middle[1]) * towards[1])
+            let fold = folds.map_or(0.0, |folds| folds.rise(context.seed, [x, y]));
+            let raised = self.sets(context).map(|(set, seed)| set.raised(seed, [x, y])).sum::<f64>();
+            top.at(i) + fold + raised - fall * ((x - middle[0]) * towards[0] + (y - middle[1]) * towards[1])
         });
-        Layers::bedded(materials, sequence, datum)
+        Layers::bedded(&materials, sequence, datum)
     }
 }
 
@@ -141,13 +209,20 @@ impl Generator<HeightField> for LayeredGround {
         terrain = HeightField::new(terrain.grid().clone(), parallel::map(nodes, rock))?;
         let strata = self.strata(&terrain, context)?;
         terrain.set_layers(Some(strata));
+        if !self.joints.is_empty() {
+            let grid = terrain.grid();
+            let weakness =
+                |i: usize| self.sets(context).map(|(set, seed)| set.weakness(seed, grid.position(i))).product();
+            let weakness = parallel::map(nodes, weakness);
+            terrain.fields_mut().insert(&names::JOINTS, weakness)?;
+        }
         depths.iter().try_for_each(|(material, depth)| terrain.change_depth(material, depth))?;
         Ok(terrain)
     }
 
     fn estimate(&self, _: &Context) -> Result<Estimate> {
         let nodes = self.grid.grid()?.len() as u64;
-        let bytes = nodes * (60 + 24 * self.layers.len() as u64);
+        let bytes = nodes * (60 + 24 * self.layers.len() as u64 + if self.joints.is_empty() { 0 } else { 8 });
         Ok(Estimate {
             nodes,
             bytes,
@@ -157,6 +232,9 @@ impl Generator<HeightField> for LayeredGround {
         })
     }
 }
+
+#[cfg(test)]
+mod rock_tests;
 
 #[cfg(test)]
 mod tests {
