@@ -2,13 +2,15 @@
 //!
 //! # Method
 //! A measure outside its range counts by its distance from it in halves of the range's width, at
-//! most [`MOST`]. The sum over the deciding measures tells made ground from [`ENOUGH`] on: a crop of
-//! real ground often leaves one range or three by a little, made ground leaves one or two by far. Where
-//! there is nothing of what real ground always has some of, such as hollows, that alone is enough.
+//! most [`MOST`]. The sum over the deciding measures tells made ground from [`ENOUGH`] on: a crop
+//! of real ground often leaves one range or three by a little, made ground leaves one or two by
+//! far. Where there is nothing of what real ground always has some of, such as hollows, that alone
+//! is enough.
 //!
 //! # Sources
 //! The bound was chosen on 70 crops of 256² and 512² nodes from the northern halves of six real
-//! places, of which 91 % lie below it, and tried on the 53 of the southern halves (docs/real_ground).
+//! places, of which 91 % lie below it, and tried on the 53 of the southern halves
+//! (docs/real_ground).
 
 use serde::{Deserialize, Serialize};
 
