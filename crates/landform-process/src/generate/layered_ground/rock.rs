@@ -102,7 +102,8 @@ pub struct FoldParams {
     pub amplitude: Length,
     /// Compass direction of the axes, along which beds do not rise.
     pub axis: Angle,
-    /// Number of wavelengths by which noise bends the axes to either side; with 0 they are straight.
+    /// Number of wavelengths by which noise bends the axes to either side; with 0 they are
+    /// straight.
     #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]
     pub waviness: f64,
 }
