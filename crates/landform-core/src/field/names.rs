@@ -56,6 +56,10 @@ pub const EXPOSURE: Key<f64> = Key::new("exposure", "1", "1 where the sun or the
 pub const SPREAD_AREA: Key<f64> =
     Key::new("spread_area", "m2", "upslope area, own cell included, by D-infinity: water spreads over two neighbours");
 /// Joints and faults.
+///
+/// ```
+/// assert_eq!(landform_core::field::names::JOINTS.name, "joints");
+/// ```
 pub const JOINTS: Key<f64> =
     Key::new("joints", "1", "how many times as fast rock wears, 1 away from joints and faults");
 /// A mask.

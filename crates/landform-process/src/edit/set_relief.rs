@@ -6,9 +6,10 @@
 //!
 //! # What it does to land that has been eroded
 //! Slopes change by f. Where erosion and creep are linear in slope (`stream_power` with slope
-//! exponent 1 and without a limiting slope, deposition, `linear_diffusion`) the scaled land is exactly
-//! the land of f times the uplift at the same times, from a start f times as high. Where slopes
-//! approach a limit, or stand at an angle of repose, it is not: with f above 1 they then exceed it.
+//! exponent 1 and without a limiting slope, deposition, `linear_diffusion`) the scaled land is
+//! exactly the land of f times the uplift at the same times, from a start f times as high. Where
+//! slopes approach a limit, or stand at an angle of repose, it is not: with f above 1 they then
+//! exceed it.
 //!
 //! # Checked by
 //! `tests`: the relief, what stays, and rivers under twice the uplift.

@@ -37,10 +37,10 @@ pub struct JointParams {
     /// Half width of the weak zone, at which its effect has fallen to a third.
     #[schemars(extend("x-above" = 0.0))]
     pub width: Length,
-    /// How many times as fast the rock wears on the line itself.
+    /// Factor by which the rock wears faster on the line itself.
     #[schemars(extend("x-min" = 1.0, "x-max" = 100.0))]
     pub weakness: f64,
-    /// How far noise bends lines to either side, in spacings; with 0 they are straight.
+    /// Number of spacings by which noise bends lines to either side; with 0 they are straight.
     #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]
     pub waviness: f64,
     /// Standard deviation of the height by which blocks between lines are raised or sunk. With 0

@@ -38,8 +38,8 @@ pub struct LayeredGround {
     /// draw them.
     pub beds: Vec<BedParams>,
     /// Elevation of the upper face of the first bed, before it dips about the middle of the map and
-    /// is folded. If not given, it is the highest ground, for drawn beds 0 m. Beds are bent where it
-    /// varies in space.
+    /// is folded. If not given, it is the highest ground, for drawn beds 0 m. Beds are bent where
+    /// it varies in space.
     pub top: Option<Varying<LengthDimension>>,
     /// Angle by which beds dip. If not given, it is the rock's, or else 0.
     #[schemars(extend("x-min" = 0.0, "x-max" = 80.0))]

@@ -3,8 +3,8 @@
 //! # Model
 //! Thicknesses are exponential, erodibilities and limiting slopes log-normal: ln K = ln K₀ + σ g,
 //! ln S_d = ln S₀ − s (ρ g + √(1 − ρ²) h) with standard normal g, h and ρ = 0.8, so that a bed that
-//! wears slowly mostly stands steeply too. A fold raises the beds by a sin(2π s/λ + 2π w n), where s
-//! runs across the axis and n is noise of three wavelengths that bends it.
+//! wears slowly mostly stands steeply too. A fold raises the beds by a sin(2π s/λ + 2π w n), where
+//! s runs across the axis and n is noise of three wavelengths that bends it.
 //!
 //! # Sources
 //! Exponential thicknesses: Drummond & Wilkinson (1996), Journal of Geology 104(6). The spread of
@@ -72,8 +72,8 @@ pub struct SequenceParams {
     /// Median of the erodibility; log-normal.
     #[schemars(extend("x-above" = 0.0))]
     pub erodibility: Option<Erodibility>,
-    /// Standard deviation of the logarithm of the erodibility: with 1, two beds of three lie within
-    /// a factor of 2.7 of the median.
+    /// Standard deviation of the logarithm of the erodibility, a number: with 1, two beds of three
+    /// lie within a factor of 2.7 of the median.
     #[schemars(extend("x-min" = 0.0, "x-max" = 5.0))]
     pub erodibility_spread: Option<f64>,
     /// Median of the limiting slope, rise over run; log-normal.
@@ -102,7 +102,8 @@ pub struct FoldParams {
     pub amplitude: Length,
     /// Compass direction of the axes, along which beds do not rise.
     pub axis: Angle,
-    /// How far noise bends the axes to either side, in wavelengths; with 0 they are straight.
+    /// Number of wavelengths by which noise bends the axes to either side; with 0 they are
+    /// straight.
     #[schemars(extend("x-min" = 0.0, "x-max" = 2.0))]
     pub waviness: f64,
 }
