@@ -75,11 +75,11 @@ fn the_rivers_of_a_build_are_those_of_its_preview() {
 #[test]
 fn a_build_goes_as_its_previews_until_its_cells_are_halved() {
     // A preview is the whole run on coarse cells; stopped at the halving it is where the build was.
-    let build = parse(&range(3, ", refine_at = [\"1 Myr\", \"3 Myr\"]"));
+    let build = parse(&range(3, ", refine = 2, refine_at = [\"1 Myr\", \"3 Myr\"]"));
     let stopped = range(3, "").replace("4 Myr\" }", "1 Myr\" }");
     let plain = raster(&parse(&stopped).at("1/4".parse().unwrap()).unwrap());
     let seen = Mutex::new(Vec::new());
-    let watched = range(3, ", refine_at = [\"1 Myr\", \"3 Myr\"]")
+    let watched = range(3, ", refine = 2, refine_at = [\"1 Myr\", \"3 Myr\"]")
         .replace("process = [", "watch = { table = \"t.csv\", every = \"1 Myr\" }\nprocess = [");
     let progress = |signal: Signal| {
         if let Signal::Step { steps, time, .. } = signal {
@@ -132,7 +132,7 @@ fn beds_and_meshes_are_refined_too() {
 fn a_run_from_coarse_to_fine_can_be_stopped_and_resumed() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("c.lfc");
-    let text = range(5, ", refine_at = [\"2 Myr\"]");
+    let text = range(5, ", refine = 1, refine_at = [\"2 Myr\"]");
     let recipe = parse(&text).at("1/4".parse().unwrap()).unwrap();
     // At that level nothing is coarser; the recipe at its own level has a coarser one.
     assert_eq!(raster(&recipe), raster(&parse(&range(5, "")).at("1/4".parse().unwrap()).unwrap()));
@@ -165,12 +165,29 @@ fn clocks_that_cannot_be_refined_are_refused() {
         (", iterations = 9, refine = 1", "`refine` is 1"),
         (", refine = 7", "`refine` is 7"),
         (", refine = 1, refine_at = [\"1 Myr\", \"2 Myr\"]", "`refine` is 1"),
-        (", refine_at = [\"2 Myr\", \"1 Myr\"]", "`refine_at` is 2000000 yr, 1000000 yr"),
-        (", refine_at = [\"4 Myr\"]", "`refine_at` is 4000000 yr"),
+        (", refine_at = [\"2 Myr\"]", "`refine` is 0"),
+        (", refine = 2, refine_at = [\"2 Myr\", \"1 Myr\"]", "`refine_at` is 2000000 yr, 1000000 yr"),
+        (", refine = 1, refine_at = [\"4 Myr\"]", "`refine_at` is 4000000 yr"),
         (", refine_at = [\"1 Myr\"], until = \"steady\"", "`refine_at`"),
     ];
     for (clock, what) in wrong {
         let error = Recipe::parse(&range(1, clock), "a test", Path::new("."), &[]).unwrap_err().to_string();
         assert!(error.contains(what), "{clock}: {error}");
     }
+}
+
+#[test]
+fn what_coarser_cells_cannot_do_is_told_of_them() {
+    let text = range(1, ", refine = 2").replace("deposition = 0.4", "outlets = { mask = { formula = \"x < 30\" } }");
+    let text = text.replace("{ use = \"linear_diffusion\", diffusivity = \"0.02 m2/yr\" },", "");
+    let one = text.replace("x < 30", "(x-1980)^2 + (y-1980)^2 < 900");
+    let run = |text: &str| parse(text).run(&mut MemoryOutput::default(), &Options::default());
+    assert!(run(&text).is_ok());
+    let error = run(&one).unwrap_err().to_string();
+    assert!(error.contains("on the coarser cells of `refine`, 4 times as long"), "{error}");
+    // A window of coarser cells would lie elsewhere.
+    let flat = "[[stage]]\nuse = \"flat\"\ngrid = { size = [\"3 km\", \"3 km\"], cell_size = \"50 m\" }\n\
+        [[stage]]\nuse = \"uplift\"\nclock = { dt = \"10 kyr\", duration = \"100 kyr\", refine = 1 }\n";
+    let within = |text: &str| parse(text).within([[100.0, 100.0], [900.0, 900.0]]);
+    assert!(within(flat).is_err() && within(&flat.replace(", refine = 1", "")).is_ok());
 }

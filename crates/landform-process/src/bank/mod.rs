@@ -22,7 +22,7 @@
 //! Flow is routed over the surface at the start of a step. The bank of a side is the node beside
 //! the river whose direction is nearest to square. A bank falls to the middle between the heights
 //! of the river's node and of the node below it, so that water may go through it next. Explicit.
-//! O(n).
+//! O(n). Nodes of a raster stand where the other processes of the run want them.
 //!
 //! # Limits
 //! The river takes all that falls out of the map; with deposition nothing of it settles. Walls wear
@@ -47,7 +47,7 @@ use landform_core::grid::{Domain, Status};
 use landform_core::terrain::{HeightField, Layer, Mesh, NodeSurface};
 use landform_core::units::{Area, Erodibility, ErodibilityDimension, YEAR};
 use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
-use landform_core::{Result, math};
+use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -122,10 +122,6 @@ impl Params for LateralErosion {
     fn bytes_a_node(&self) -> Option<u64> {
         Some(110)
     }
-
-    fn jitters(&self) -> bool {
-        true
-    }
 }
 
 /// What banks have lost, and the flow of a step as scratch.
@@ -151,6 +147,11 @@ impl<T: NodeSurface> Process<T> for LateralErosion {
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
         let erodibility = self.erodibility.resolve("erodibility", terrain, context)?;
+        if let Resolved::PerNode(k) = &erodibility
+            && let Some(i) = parallel::find_first(k.len(), |i| k[i] < 0.0)
+        {
+            return Err(Error::AtNode { name: "erodibility".into(), node: i, value: k[i], expected: "at least 0" });
+        }
         Ok(State { erodibility, worn: vec![0.0; terrain.elevation().len()], routed: Routed::default() })
     }
 

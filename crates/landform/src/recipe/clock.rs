@@ -37,7 +37,7 @@ pub struct Clock {
     /// and starts the next; that needs a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
-    /// Times at which cells are halved, with `duration`, in order. If not given, the finest cells
+    /// Times at which cells are halved, with `duration`, in order: `refine` of them. If not given, the finest cells
     /// run for the last quarter of the time, and each coarser level until two thirds of the time at
     /// which the next ends.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -94,10 +94,10 @@ impl Clock {
     }
 
     pub(super) fn check(&self) -> Result<()> {
-        self.check_levels()?;
         if !(self.step() > 0.0) {
             return Err(Error::parameter("dt", self.dt, "> 0 yr, for example \"1 kyr\""));
         }
+        self.check_levels()?;
         if self.duration.is_none() && self.until.is_none() && self.iterations.is_none() {
             return Err(Error::parameter("clock", "without end", "`duration`, `until = \"steady\"` or `iterations`"));
         }
@@ -135,7 +135,7 @@ impl Clock {
                 return Err(Error::parameter("refine_at", "given beside `until`", "`duration` without `until`"));
             }
             let n = self.refine_at.len();
-            if self.refine != 0 && self.refine as usize != n {
+            if self.refine as usize != n {
                 return Err(Error::parameter("refine", self.refine, &format!("{n}, as many as times in `refine_at`")));
             }
         }
@@ -151,8 +151,12 @@ impl Clock {
             }
             let rises = times.windows(2).all(|t| t[0] < t[1]);
             if !(rises && times.iter().all(|&t| t > 0.0 && t < duration.si())) {
-                let listed: Vec<String> = times.iter().map(|&t| Duration::from_si(t).to_string()).collect();
-                let wanted = format!("times that rise, between 0 yr and {duration}; or fewer levels, or shorter steps");
+                if self.refine_at.is_empty() {
+                    let short = format!("shorter steps: cells are to be halved {} times in {duration}", times.len());
+                    return Err(Error::parameter("dt", self.dt, &short));
+                }
+                let listed: Vec<String> = self.refine_at.iter().map(ToString::to_string).collect();
+                let wanted = format!("times that rise, between 0 yr and {duration}");
                 return Err(Error::parameter("refine_at", listed.join(", "), &wanted));
             }
         }

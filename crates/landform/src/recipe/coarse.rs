@@ -8,7 +8,7 @@ use landform_core::Result;
 use landform_core::verb::MemoryOutput;
 
 use super::entry::Work;
-use super::evolve::Coarser;
+use super::evolve::{Coarser, failed_on};
 use super::options::{Options, Outputs};
 use super::{Level, Ran, Recipe};
 
@@ -23,7 +23,8 @@ impl Recipe {
         let times = evolve.clock.halvings();
         let mut levels = Vec::new();
         for (k, &until) in times.iter().enumerate() {
-            let mut recipe = self.at(Level::halved(times.len() - k)?)?;
+            let level = Level::halved(times.len() - k)?;
+            let mut recipe = self.at(level).map_err(|e| failed_on(level, e))?;
             let Work::Evolve(evolve) = &recipe.entries[index].work else { continue };
             let parts = evolve.parts.clone();
             recipe.entries.truncate(recipe.last_before(index) + 1);
@@ -36,8 +37,9 @@ impl Recipe {
                 outputs: Outputs::Nothing,
                 ..Options::default()
             };
-            let Ran::ToTheEnd(ground, _) = recipe.run(&mut MemoryOutput::default(), &quiet)? else { return Ok(None) };
-            levels.push(Coarser { ground, parts, until });
+            let ran = recipe.run(&mut MemoryOutput::default(), &quiet);
+            let Ran::ToTheEnd(ground, _) = ran.map_err(|e| failed_on(level, e))? else { return Ok(None) };
+            levels.push(Coarser { level, ground, parts, until });
         }
         Ok(Some(levels))
     }

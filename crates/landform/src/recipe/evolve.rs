@@ -3,18 +3,19 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use landform_core::Result;
 use landform_core::random::Seed;
 use landform_core::sim::{Every, Model, Simulation, Stop, View};
 use landform_core::stage::ReadStage;
 use landform_core::terrain::{AnyTerrain, Body, Surface, Terrain, Visit, not_a_surface};
+use landform_core::units::Duration;
 use landform_core::verb::{Outcome, Output, Stopped};
+use landform_core::{Error, Result};
 
-use super::Recipe;
 use super::checkpoint::Checkpoint;
 use super::entry::Evolve;
 use super::options::{Options, Progress, Signal};
 use super::watch::{Watch, Watcher};
+use super::{Level, Recipe};
 
 /// Runs processes on a terrain of any kind; none if the run was interrupted.
 pub(super) struct Evolving<'a, 'b> {
@@ -28,6 +29,8 @@ pub(super) struct Evolving<'a, 'b> {
 
 /// A coarser level of a stage with processes.
 pub(super) struct Coarser {
+    /// Which it is.
+    pub(super) level: Level,
     /// The ground before the stage.
     pub(super) ground: Arc<AnyTerrain>,
     /// The processes, for such cells.
@@ -63,6 +66,8 @@ impl Visit for Evolving<'_, '_> {
             let Some(coarse) = run.on_coarser(&coarser, model.terrain(), &beside)? else { return Ok(None) };
             model = model.begin_at(coarse.time, coarse.steps);
             model.start_changed(&coarse.before, &coarse.after)?;
+            let at = Duration::from_si(coarse.time);
+            (options.progress)(Signal::Note(format!("volumes are counted since the last halving of cells, at {at}")));
         }
         let mut simulation = Simulation::of(model).until(clock.stop());
         if clock.until.is_some() {
@@ -93,6 +98,12 @@ impl Visit for Evolving<'_, '_> {
     }
 }
 
+/// That something failed on coarser cells, though it may not on those of the recipe.
+pub(super) fn failed_on(level: Level, error: Error) -> Error {
+    let what = format!("on the coarser cells of `refine`, {} times as long: {error}", level.factor());
+    Error::Recipe { at: None, what, hint: Some("give a lower `refine`, or finer cells".into()) }
+}
+
 /// Where a coarser level left off: its ground at time 0 and now.
 struct LeftOff<T> {
     before: T,
@@ -120,28 +131,38 @@ impl<'a, 'b> Run<'a, 'b> {
     ) -> Result<Option<LeftOff<T>>> {
         let mut left: Option<LeftOff<T>> = None;
         for level in levels {
-            let Some(ground) = T::of(&level.ground) else { continue };
-            let mut model = self.model(ground, &level.parts)?;
-            model.start()?;
-            let before = model.terrain().clone();
-            if let Some(left) = &left {
-                model = model.begin_at(left.time, left.steps);
-                model.start_changed(&left.before, &left.after)?;
-            }
-            let end = Stop { time: Some(level.until), ..Stop::default() };
-            let mut simulation = self.observed(Simulation::of(model).until(end), beside, |view, beside| {
-                let mut terrain = finest.clone();
-                terrain.take_change_of(&before, view.terrain);
-                open(beside).look(&View { terrain: &terrain, ..*view })
-            });
-            let outcome = simulation.run()?;
-            if outcome.stopped == Stopped::Cancelled {
-                return Ok(None);
-            }
-            let after = simulation.into_terrain();
-            left = Some(LeftOff { before, after, time: outcome.time, steps: outcome.steps });
+            let ran = self.on_level(level, left.as_ref(), finest, beside).map_err(|e| failed_on(level.level, e))?;
+            let Some(now) = ran else { return Ok(None) };
+            left = Some(now);
         }
         Ok(left)
+    }
+
+    /// Runs one coarser level; none if the run was asked to stop.
+    fn on_level<T: Surface>(
+        self,
+        level: &Coarser,
+        left: Option<&LeftOff<T>>,
+        finest: &T,
+        beside: &Mutex<Beside<'a>>,
+    ) -> Result<Option<LeftOff<T>>> {
+        let mut model = self.model(level.ground.get::<T>("refine")?, &level.parts)?;
+        model.start()?;
+        let before = model.terrain().clone();
+        if let Some(left) = left {
+            model = model.begin_at(left.time, left.steps);
+            model.start_changed(&left.before, &left.after)?;
+        }
+        let end = Stop { time: Some(level.until), ..Stop::default() };
+        let mut simulation = self.observed(Simulation::of(model).until(end), beside, |view, beside| {
+            let mut terrain = finest.clone();
+            terrain.take_change_of(&before, view.terrain);
+            open(beside).look(&View { terrain: &terrain, ..*view })
+        });
+        let outcome = simulation.run()?;
+        let after = simulation.into_terrain();
+        let left = LeftOff { before, after, time: outcome.time, steps: outcome.steps };
+        Ok((outcome.stopped != Stopped::Cancelled).then_some(left))
     }
 
     /// A simulation that tells of its steps, with what looks at it.

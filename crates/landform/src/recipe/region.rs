@@ -49,7 +49,9 @@ impl Entry {
             // Each step reads the neighbourhood again; processes that read only the node itself may
             // take any number of steps.
             Work::Evolve(evolve) => {
-                let still = evolve.watch.is_none() && evolve.clock.until.is_none();
+                // Coarser cells lie by the corner of the whole.
+                let still =
+                    evolve.watch.is_none() && evolve.clock.until.is_none() && evolve.clock.halvings().is_empty();
                 let each_at_its_place = evolve.parts.iter().all(|p| p.reach() == Reach::Point);
                 if still && each_at_its_place { Reach::Point } else { Reach::Whole }
             }
