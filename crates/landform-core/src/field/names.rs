@@ -87,12 +87,20 @@ pub const WATER_SUPPLY: Key<f64> = Key::new("water_supply", "m/s", "rain, spring
 /// Units of water that left a cell.
 pub const STREAM_VISITS: Key<f64> = Key::new("stream_visits", "1", "units of water that have left the place");
 /// Thickness of what landslides laid down.
+///
+/// ```
+/// assert_eq!(landform_core::field::names::LANDSLIDE_DEPOSIT.unit, "m");
+/// ```
 pub const LANDSLIDE_DEPOSIT: Key<f64> = Key::new(
     "landslide_deposit",
     "m",
     "thickness that landslides of the run laid down, less what later ones took; what rivers took counts as there",
 );
 /// Area of landslides.
+///
+/// ```
+/// assert_eq!(landform_core::field::names::LANDSLIDE_AREA.unit, "m2");
+/// ```
 pub const LANDSLIDE_AREA: Key<f64> =
     Key::new("landslide_area", "m2", "area of the landslide of the last step that took the ground; 0 where none did");
 /// Name, unit and meaning of every standard field.

@@ -18,7 +18,7 @@ pub struct Landslides {
     /// other ground.
     #[schemars(extend("x-above" = 0.0, "x-max" = 85.0))]
     pub friction_angle: Option<Varying<AngleDimension>>,
-    /// Density of the rock, kg/m3.
+    /// Density of the rock, kg/m³.
     #[schemars(extend("x-above" = 0.0, "x-max" = 30_000.0))]
     pub density: f64,
     /// Time in which ground that stands just at its critical height fails once on average: in a
