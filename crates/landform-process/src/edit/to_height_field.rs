@@ -35,8 +35,9 @@ pub struct ToHeightField {
 pub enum Method {
     /// Linear on every triangle: slopes and ridges as they are.
     Linear,
-    /// Smooth curves through the nodes (Clough and Tocher): no facets, but a little beyond the nodes
-    /// where the ground bends sharply. For cells that are smaller than the distance between nodes.
+    /// Smooth curves through the nodes (Clough and Tocher): no facets, but a little beyond the
+    /// nodes where the ground bends sharply. For cells that are smaller than the distance between
+    /// nodes.
     Cubic,
     /// The mean of nodes under a Gaussian kernel (Bell's thesis): smooth, and lower on ridges.
     Gaussian,

@@ -91,6 +91,12 @@ pub struct State {
 }
 
 /// Ground that may repeat beyond its sides.
+///
+/// ```
+/// use landform_core::grid::{Edge, Edges};
+///
+/// assert!(Edges::all(Edge::Periodic).wraps_cols());
+/// ```
 pub trait Periodic: NodeSurface {
     /// Distance after which it repeats, east and north, m; infinite where it ends.
     fn periods(&self) -> [f64; 2];
