@@ -37,9 +37,9 @@ pub struct Clock {
     /// and starts the next; that needs a sea level that does not change.
     #[schemars(extend("x-max" = 12))]
     pub refine: u32,
-    /// Times at which cells are halved, with `duration`, in order: `refine` of them. If not given, the finest cells
-    /// run for the last quarter of the time, and each coarser level until two thirds of the time at
-    /// which the next ends.
+    /// Times at which cells are halved, with `duration`, in order: `refine` of them. If not given,
+    /// the finest cells run for the last quarter of the time, and each coarser level until two
+    /// thirds of the time at which the next ends.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub refine_at: Vec<Duration>,
     /// Whether the clock counts rounds that have no length in time.
