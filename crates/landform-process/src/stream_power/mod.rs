@@ -116,6 +116,7 @@ landform_core::stages! {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(bound = "")]
 pub struct State<D> {
+    /// Erodibility of the parameter, by weakness.
     erodibility: Resolved,
     /// How many times as fast rock wears.
     weakness: Option<Resolved>,
@@ -193,6 +194,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         {
             return Err(Error::AtNode { name: "weakness".into(), node: i, value: w[i], expected: "at least 0" });
         }
+        let erodibility = weakened(erodibility, weakness.as_ref(), terrain.elevation().len());
         let sea_level = self.sea_at(context.time, context.environment).unwrap_or(0.0);
         if let Some(outlets) = &self.outlets {
             outlets.apply(terrain, sea_level, context)?;
@@ -264,7 +266,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         let sea = self.sea_at(at.time + at.dt, &at.environment);
         let risen = sea.map_or(0.0, |now| now - state.sea_start);
         if let Some(now) = self.erodibility.as_ref().and_then(|k| k.in_time(at.time, at.time + at.dt)) {
-            state.erodibility = Resolved::Uniform(now);
+            let nodes = terrain.elevation().len();
+            state.erodibility = weakened(Resolved::Uniform(now), state.weakness.as_ref(), nodes);
         }
         let Scratch { flow, amount, sediment, dt, .. } = &mut state.scratch;
         *dt = Some(at.dt);
@@ -326,6 +329,15 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             terrain.fields_mut().insert(&names::EROSION_RATE, rates)?;
         }
         Ok(())
+    }
+}
+
+/// Erodibility of rock that wears `weakness` times as fast.
+fn weakened(erodibility: Resolved, weakness: Option<&Resolved>, nodes: usize) -> Resolved {
+    match (erodibility, weakness) {
+        (erodibility, None) => erodibility,
+        (Resolved::Uniform(k), Some(Resolved::Uniform(w))) => Resolved::Uniform(k * w),
+        (k, Some(w)) => Resolved::PerNode(parallel::map(nodes, |i| k.at(i) * w.at(i))),
     }
 }
 

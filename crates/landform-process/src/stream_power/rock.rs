@@ -14,7 +14,8 @@ pub(super) struct Rock<'a> {
     pub(super) erodibility: &'a Resolved,
     /// What the ground is made of.
     pub(super) layers: Option<&'a Layers>,
-    /// How many times as fast rock wears at each node; none for once.
+    /// How many times as fast rock of its material's own erodibility wears at each node; none for
+    /// once.
     pub(super) weakness: Option<&'a Resolved>,
     /// Whether rock has its own material's erodibility rather than the parameter's.
     pub(super) by_material: bool,
@@ -26,26 +27,15 @@ impl Rock<'_> {
         let of_material = layers.materials().get(number).erodibility;
         match is_loose {
             true => of_material,
-            false if self.by_material => of_material * self.weak(node),
-            false => self.plain(node),
+            false if self.by_material => of_material * self.weakness.map_or(1.0, |weakness| weakness.at(node)),
+            false => self.erodibility.at(node),
         }
-    }
-
-    #[inline]
-    fn weak(&self, node: usize) -> f64 {
-        self.weakness.map_or(1.0, |weakness| weakness.at(node))
-    }
-
-    /// Erodibility of rock without layers, m^(1-2m)/s.
-    #[inline]
-    fn plain(&self, node: usize) -> f64 {
-        self.erodibility.at(node) * self.weak(node)
     }
 
     /// Erodibility at the surface of a node at `z`.
     pub(super) fn erodibility(&self, node: usize, z: f64) -> f64 {
         match self.layers {
-            None => self.plain(node),
+            None => self.erodibility.at(node),
             Some(layers) => {
                 let number = layers.surface_number(node, z);
                 let is_loose = layers.loose().any(|l| l == layers.materials().get(number).name);
@@ -197,13 +187,7 @@ mod tests {
         let layers = layered(&[("sandstone", 1e6)]);
         let (k, weakness) = (Resolved::Uniform(3.0), Resolved::Uniform(4.0));
         let sandstone = layers.surface(4, 100.0).erodibility;
-        let of = |layers: &Layers, by_material: bool| {
-            Rock { erodibility: &k, layers: Some(layers), weakness: Some(&weakness), by_material }.erodibility(4, 90.0)
-        };
-        assert_eq!((of(&layers, true), of(&layers, false)), (4.0 * sandstone, 12.0));
-        assert_eq!(
-            Rock { erodibility: &k, layers: None, weakness: Some(&weakness), by_material: false }.erodibility(4, 90.0),
-            12.0
-        );
+        let rock = Rock { erodibility: &k, layers: Some(&layers), weakness: Some(&weakness), by_material: true };
+        assert_eq!(rock.erodibility(4, 90.0), 4.0 * sandstone);
     }
 }

@@ -7,7 +7,7 @@ use landform_core::random::Seed;
 use landform_core::sim::{Every, Model, Simulation, Stop, View};
 use landform_core::stage::ReadStage;
 use landform_core::terrain::{AnyTerrain, Body, Surface, Terrain, Visit, not_a_surface};
-use landform_core::units::Duration;
+use landform_core::units::MYR;
 use landform_core::verb::{Outcome, Output, Stopped};
 use landform_core::{Error, Result};
 
@@ -66,8 +66,9 @@ impl Visit for Evolving<'_, '_> {
             let Some(coarse) = run.on_coarser(&coarser, model.terrain(), &beside)? else { return Ok(None) };
             model = model.begin_at(coarse.time, coarse.steps);
             model.start_changed(&coarse.before, &coarse.after)?;
-            let at = Duration::from_si(coarse.time);
-            (options.progress)(Signal::Note(format!("volumes are counted since the last halving of cells, at {at}")));
+            let at = coarse.time / MYR;
+            let note = format!("volumes are counted since the last halving of cells, at {at:.3} Myr");
+            (options.progress)(Signal::Note(note));
         }
         let mut simulation = Simulation::of(model).until(clock.stop());
         if clock.until.is_some() {

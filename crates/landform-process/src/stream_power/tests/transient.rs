@@ -223,3 +223,25 @@ fn rain_that_changes_in_time_is_that_of_each_step() {
     let rain = dry.fields.get(&names::RAINFALL, "").unwrap()[0] * YEAR;
     assert!((rain - 0.625).abs() < 1e-9, "{rain}");
 }
+
+#[test]
+fn weak_rock_is_rock_of_more_erodibility() {
+    let run = |erodibility: f64, weakness: Option<f64>, deposition: f64| {
+        let rivers = StreamPower {
+            erodibility: Some(Erodibility::of(erodibility).into()),
+            weakness: weakness.map(|w| landform_core::units::Ratio::of(w).into()),
+            deposition,
+            ..law(0.5, 1.0)
+        };
+        let mut model = Model::new(raster(20, 3)).dt(50.0 * KYR);
+        model.add(uplift(1.0)).unwrap();
+        model.add(rivers).unwrap();
+        model.advance_steps(5).unwrap();
+        model.into_terrain().elevation().to_vec()
+    };
+    for deposition in [0.0, 0.5] {
+        let weak = run(K, Some(2.0), deposition);
+        assert!(weak == run(2.0 * K, None, deposition), "G {deposition}");
+        assert!(weak != run(K, None, deposition), "G {deposition}");
+    }
+}
