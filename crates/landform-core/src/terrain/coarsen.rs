@@ -76,20 +76,21 @@ impl Mesh {
         let positions = self.positions().to_vec();
         let spread = |change: &[f64]| {
             let values = raster.of(before, change);
-            parallel::map(positions.len(), |i| {
-                let change = height_field::sample(raster.grid(), &values, positions[i]);
-                if change.is_finite() { change } else { 0.0 }
-            })
+            parallel::map(positions.len(), |i| or_none(height_field::sample(raster.grid(), &values, positions[i])))
         };
         add_change(self, [before, after], spread);
     }
 }
 
+/// A change, or none at holes and beyond the sides.
+fn or_none(change: f64) -> f64 {
+    if change.is_finite() { change } else { 0.0 }
+}
+
 /// Adds what changed between two states of a coarser form, brought to the nodes by `spread`.
 fn add_change<T: NodeSurface>(terrain: &mut T, [before, after]: [&T; 2], spread: impl Fn(&[f64]) -> Vec<f64>) {
     let (old, new) = (before.elevation(), after.elevation());
-    let none_at_holes = |v: f64| if v.is_finite() { v } else { 0.0 };
-    let raised = spread(&parallel::map(old.len(), |i| none_at_holes(new[i] - old[i])));
+    let raised = spread(&parallel::map(old.len(), |i| or_none(new[i] - old[i])));
     if let Some(after) = after.layers() {
         terrain.make_layered(after.materials());
     }
@@ -206,8 +207,7 @@ impl HeightField {
             parallel::map(fine.len(), |i| {
                 let [x, y] = fine.position(i);
                 let there = [x.clamp(west, east), y.clamp(south, north)];
-                let change = sample_by(Interpolation::Cubic, coarse, change, there);
-                if change.is_finite() { change } else { 0.0 }
+                or_none(sample_by(Interpolation::Cubic, coarse, change, there))
             })
         };
         add_change(self, [&before, &after], spread);

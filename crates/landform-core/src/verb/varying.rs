@@ -113,6 +113,26 @@ impl Resolved {
         }
     }
 
+    /// The values, of which none on a node is below 0.
+    ///
+    /// # Errors
+    /// [`Error::AtNode`] with the first that is.
+    ///
+    /// ```
+    /// use landform_core::verb::Resolved;
+    ///
+    /// assert!(Resolved::PerNode(vec![0.0, 2.0]).at_least_zero("weakness").is_ok());
+    /// assert!(Resolved::PerNode(vec![0.0, -2.0]).at_least_zero("weakness").is_err());
+    /// ```
+    pub fn at_least_zero(self, name: &str) -> Result<Self> {
+        if let Self::PerNode(values) = &self
+            && let Some(node) = parallel::find_first(values.len(), |i| values[i] < 0.0)
+        {
+            return Err(Error::AtNode { name: name.into(), node, value: values[node], expected: "at least 0" });
+        }
+        Ok(self)
+    }
+
     /// The greatest value, SI.
     pub fn max(&self) -> f64 {
         match self {

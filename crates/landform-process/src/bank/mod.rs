@@ -47,7 +47,7 @@ use landform_core::grid::{Domain, Status};
 use landform_core::terrain::{HeightField, Layer, Mesh, NodeSurface};
 use landform_core::units::{Area, Erodibility, ErodibilityDimension, YEAR};
 use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
-use landform_core::{Error, Result, math, parallel};
+use landform_core::{Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -146,12 +146,7 @@ impl<T: NodeSurface> Process<T> for LateralErosion {
     type State = State;
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<State> {
-        let erodibility = self.erodibility.resolve("erodibility", terrain, context)?;
-        if let Resolved::PerNode(k) = &erodibility
-            && let Some(i) = parallel::find_first(k.len(), |i| k[i] < 0.0)
-        {
-            return Err(Error::AtNode { name: "erodibility".into(), node: i, value: k[i], expected: "at least 0" });
-        }
+        let erodibility = self.erodibility.resolve("erodibility", terrain, context)?.at_least_zero("erodibility")?;
         Ok(State { erodibility, worn: vec![0.0; terrain.elevation().len()], routed: Routed::default() })
     }
 

@@ -182,18 +182,11 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             Some(given) => given.resolve("erodibility", terrain, context)?,
             None => Resolved::Uniform(StreamPower::usual_erodibility().si()),
         };
-        if let Resolved::PerNode(k) = &erodibility
-            && let Some(i) = parallel::find_first(k.len(), |i| k[i] < 0.0)
-        {
-            return Err(Error::AtNode { name: "erodibility".into(), node: i, value: k[i], expected: "at least 0" });
-        }
-        let resolve = |given: &Varying<_>| given.resolve("weakness", terrain, context);
-        let weakness = self.weakness.as_ref().map(resolve).transpose()?;
-        if let Some(Resolved::PerNode(w)) = &weakness
-            && let Some(i) = parallel::find_first(w.len(), |i| w[i] < 0.0)
-        {
-            return Err(Error::AtNode { name: "weakness".into(), node: i, value: w[i], expected: "at least 0" });
-        }
+        let erodibility = erodibility.at_least_zero("erodibility")?;
+        let weakness = match &self.weakness {
+            Some(given) => Some(given.resolve("weakness", terrain, context)?.at_least_zero("weakness")?),
+            None => None,
+        };
         let erodibility = weakened(erodibility, weakness.as_ref(), terrain.elevation().len());
         let sea_level = self.sea_at(context.time, context.environment).unwrap_or(0.0);
         if let Some(outlets) = &self.outlets {

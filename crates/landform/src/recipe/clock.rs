@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How often cells can be halved in a timed run: the levels that `--level` has.
-const MOST_HALVINGS: usize = 6;
+pub(super) const MOST_HALVINGS: u32 = 6;
 
 /// When a stage with processes starts, steps and stops.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -145,7 +145,7 @@ impl Clock {
                 return Err(Error::parameter("refine", self.refine, hint));
             };
             let times = self.halvings();
-            if times.len() > MOST_HALVINGS {
+            if times.len() > MOST_HALVINGS as usize {
                 let most = format!("at most {MOST_HALVINGS} with `duration`");
                 return Err(Error::parameter("refine", times.len(), &most));
             }

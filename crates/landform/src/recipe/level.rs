@@ -6,6 +6,7 @@ use std::str::FromStr;
 use landform_core::stage::Refusal;
 use landform_core::{Error, Result};
 
+use super::clock::MOST_HALVINGS;
 use super::entry::Work;
 use super::{Recipe, Verb};
 
@@ -22,7 +23,6 @@ pub struct Level {
     halvings: u32,
 }
 
-const MOST_HALVINGS: u32 = 6;
 const LEVELS: &str = "one of 1, 1/2, 1/4, 1/8, 1/16, 1/32, 1/64";
 
 impl Level {

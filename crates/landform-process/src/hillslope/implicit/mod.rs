@@ -121,19 +121,13 @@ impl Cells {
 /// A diffusivity on the nodes of a terrain, m²/s.
 ///
 /// # Errors
-/// Where [`Varying::resolve`] fails; [`Error::Parameter`] if it is negative somewhere.
+/// Where [`Varying::resolve`] and [`Resolved::at_least_zero`] fail.
 pub(super) fn resolve_diffusivity<T: NodeSurface>(
     given: &Varying<DiffusivityDimension>,
     terrain: &T,
     context: &Context,
 ) -> Result<Resolved> {
-    let diffusivity = given.resolve("diffusivity", terrain, context)?;
-    if let Resolved::PerNode(d) = &diffusivity
-        && let Some(i) = parallel::find_first(d.len(), |i| d[i] < 0.0)
-    {
-        return Err(Error::AtNode { name: "diffusivity".into(), node: i, value: d[i], expected: "at least 0" });
-    }
-    Ok(diffusivity)
+    given.resolve("diffusivity", terrain, context)?.at_least_zero("diffusivity")
 }
 
 /// Conductance of a link times the mean diffusivity of its ends, m²/s.

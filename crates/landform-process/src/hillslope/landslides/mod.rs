@@ -142,7 +142,7 @@ impl<T: Periodic> Process<T> for Landslides {
         let friction = |i: usize| friction.at(i);
         let failures = strength.failures(&*domain, &z, friction, at.seed);
         parallel::fill(area, |_| 0.0);
-        let sea = at.environment.sea_level.as_ref().map_or(0.0, |s| s.at(at.time + at.dt));
+        let sea = at.environment.sea_level_at(at.time + at.dt);
         let places = Places { position: &|i| terrain.position(i), periods: terrain.periods() };
         let rest = math::tan(self.runout_angle.si());
         let mut change = Change::default();
