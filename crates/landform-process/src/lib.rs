@@ -15,6 +15,7 @@ pub mod generate;
 pub mod hillslope;
 pub mod karst;
 pub mod mechanism;
+pub mod particles;
 pub mod snow;
 pub mod stream_power;
 pub mod streams;
@@ -39,4 +40,5 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     karst::STAGES,
     volume::STAGES,
     cave::STAGES,
+    particles::STAGES,
 ];

@@ -58,6 +58,38 @@ pub trait Ground: Terrain {
         [-gx / length, -gy / length, 1.0 / length]
     }
 
+    /// How far a place lies under the surface, m, negative over it; none beyond the ground and on
+    /// nodata. By default straight up.
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{Ground, HeightField};
+    ///
+    /// let plain = HeightField::new(Grid::new(Shape::new(3, 3), [10.0; 2])?, vec![50.0; 9])?;
+    /// assert_eq!(plain.depth_at([5.0, 5.0, 48.0]), Some(2.0));
+    /// assert_eq!(plain.depth_at([-5.0, 5.0, 48.0]), None);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    fn depth_at(&self, [x, y, z]: [f64; 3]) -> Option<f64> {
+        self.height_at([x, y]).map(|h| h - z)
+    }
+
+    /// The point of the surface beside a place (m), and its unit normal out of the ground; none
+    /// beyond the ground and on nodata. By default the point straight above or below.
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{Ground, HeightField};
+    ///
+    /// let plain = HeightField::new(Grid::new(Shape::new(3, 3), [10.0; 2])?, vec![50.0; 9])?;
+    /// assert_eq!(plain.contact([5.0, 5.0, 48.0]), Some(([5.0, 5.0, 50.0], [0.0, 0.0, 1.0])));
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    fn contact(&self, [x, y, _]: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
+        let height = self.height_at([x, y])?;
+        Some(([x, y, height], self.normal_at([x, y])))
+    }
+
     /// Where a straight line from `from` to `to` first enters the ground, as a part of its length,
     /// 0 to 1; none if it does not. By default in steps of half the resolution, halved further to a
     /// thousandth of it: narrower ridges are missed.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{Kind, Layers, NodeSurface, Refine, Terrain};
 use crate::feature::Features;
 use crate::field::Fields;
-use crate::grid::{Degrees, Domain, Grid, RasterDomain, Status};
+use crate::grid::{Degrees, Domain, Grid, RasterDomain, Shape, Status};
 use crate::{Error, Result, parallel};
 
 /// One elevation per node of a regular grid. Nodata is NaN in the elevation, and nowhere else.
@@ -242,6 +242,33 @@ impl NodeSurface for HeightField {
 
     fn features_mut(&mut self) -> &mut Features {
         &mut self.features
+    }
+
+    fn nodes_near(&self, at: [f64; 2], radius: f64) -> Vec<(usize, f64)> {
+        let Shape { rows, cols } = self.grid.shape;
+        let ([u, v], [dx, dy]) = (self.grid.col_row(at), self.grid.spacing);
+        let within = |at: f64, reach: f64, n: usize| {
+            let low = (at - reach).ceil().clamp(0.0, n as f64) as usize;
+            low..((at + reach).floor() + 1.0).clamp(low as f64, n as f64) as usize
+        };
+        let (across, down) = (within(u, radius / dx, cols), within(v, radius / dy, rows));
+        let mut near = Vec::with_capacity(across.len() * down.len());
+        for row in down {
+            let south = (row as f64 - v) * dy;
+            for col in across.clone() {
+                let (east, node) = ((col as f64 - u) * dx, row * cols + col);
+                let square = east * east + south * south;
+                if square < radius * radius && !self.elevation[node].is_nan() {
+                    near.push((node, square));
+                }
+            }
+        }
+        if near.is_empty()
+            && let Some(node) = self.grid.node_at(at).filter(|&i| !self.elevation[i].is_nan())
+        {
+            near.push((node, 0.0));
+        }
+        near
     }
 
     fn epsg(&self) -> Option<u16> {

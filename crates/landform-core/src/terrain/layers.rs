@@ -161,11 +161,7 @@ impl Layers {
     /// [`Error::Parameter`] for a material that is not in the table.
     pub(super) fn depth_mut(&mut self, material: &str) -> Result<&mut Vec<f64>> {
         let number = self.materials.need(material, "material")?;
-        let at = self.loose.partition_point(|l| l.material < number);
-        if self.loose.get(at).is_none_or(|l| l.material != number) {
-            self.loose.insert(at, Loose { material: number, depth: vec![0.0; self.nodes] });
-        }
-        Ok(&mut self.loose[at].depth)
+        Ok(self.loose_mut(number))
     }
 
     /// Elevation of the upper face of the first bed at a node, m; none without beds.
@@ -254,28 +250,64 @@ impl Layers {
         }
     }
 
+    /// Follows a change of one node's surface from one elevation to another; `material` is what is
+    /// laid where it rises. `tell` is given the number of each material cut, and its volume.
+    pub(super) fn follow_node(
+        &mut self,
+        node: usize,
+        [before, after]: [f64; 2],
+        material: u8,
+        area: f64,
+        tell: &mut impl FnMut(u8, f64),
+    ) {
+        if after > before {
+            self.loose_mut(material)[node] += after - before;
+            self.moved[usize::from(material)].deposited += (after - before) * area;
+        } else {
+            self.cut_node(node, [before, after], area, tell);
+        }
+    }
+
     /// Takes what was cut from the uppermost down.
     fn cut(&mut self, before: &[f64], after: &[f64], area: &dyn Fn(usize) -> f64) {
         for i in 0..self.nodes {
-            let mut cut = before[i] - after[i];
-            if !(cut > 0.0) {
-                continue;
-            }
-            let mut z = before[i];
-            for loose in self.loose.iter_mut().rev() {
-                let taken = cut.min(loose.depth[i]);
-                loose.depth[i] -= taken;
-                self.moved[usize::from(loose.material)].eroded += taken * area(i);
-                (cut, z) = (cut - taken, z - taken);
-            }
-            // Rock follows from elevation: only the volumes are counted.
-            while cut > 0.0 {
-                let (number, bottom) = self.rock_at(i, z);
-                let taken = cut.min(z - bottom);
-                self.moved[usize::from(number)].eroded += taken * area(i);
-                (cut, z) = (cut - taken, bottom);
+            if before[i] - after[i] > 0.0 {
+                self.cut_node(i, [before[i], after[i]], area(i), &mut |_, _| {});
             }
         }
+    }
+
+    fn cut_node(&mut self, node: usize, [before, after]: [f64; 2], area: f64, tell: &mut impl FnMut(u8, f64)) {
+        let (mut cut, mut z) = (before - after, before);
+        if !(cut > 0.0) {
+            return;
+        }
+        for loose in self.loose.iter_mut().rev() {
+            let taken = cut.min(loose.depth[node]);
+            if taken > 0.0 {
+                loose.depth[node] -= taken;
+                self.moved[usize::from(loose.material)].eroded += taken * area;
+                tell(loose.material, taken * area);
+                (cut, z) = (cut - taken, z - taken);
+            }
+        }
+        // Rock follows from elevation: only the volumes are counted.
+        while cut > 0.0 {
+            let (number, bottom) = self.rock_at(node, z);
+            let taken = cut.min(z - bottom);
+            self.moved[usize::from(number)].eroded += taken * area;
+            tell(number, taken * area);
+            (cut, z) = (cut - taken, bottom);
+        }
+    }
+
+    /// Depth of the loose layer of a material's number, made where there is none.
+    fn loose_mut(&mut self, number: u8) -> &mut Vec<f64> {
+        let at = self.loose.partition_point(|l| l.material < number);
+        if self.loose.get(at).is_none_or(|l| l.material != number) {
+            self.loose.insert(at, Loose { material: number, depth: vec![0.0; self.nodes] });
+        }
+        &mut self.loose[at].depth
     }
 
     fn lay(&mut self, lays: &str, before: &[f64], after: &[f64], area: &dyn Fn(usize) -> f64) {
@@ -285,11 +317,10 @@ impl Layers {
         }
         let Some(number) = self.materials.find(lays) else { return };
         let mut volume = 0.0;
-        if let Ok(depth) = self.depth_mut(lays) {
-            for i in (0..depth.len()).filter(|&i| rises(i)) {
-                depth[i] += after[i] - before[i];
-                volume += (after[i] - before[i]) * area(i);
-            }
+        let depth = self.loose_mut(number);
+        for i in (0..depth.len()).filter(|&i| rises(i)) {
+            depth[i] += after[i] - before[i];
+            volume += (after[i] - before[i]) * area(i);
         }
         self.moved[usize::from(number)].deposited += volume;
     }

@@ -202,6 +202,58 @@ pub trait NodeSurface: Terrain {
         result
     }
 
+    /// Moves the surface of some nodes, each once, by its rise (m): as [`NodeSurface::change`] with
+    /// [`Layer::Surface`] of the material of a number, at the cost of these nodes alone. `cut` is
+    /// told the number of each material that is removed, and its volume, m³.
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{HeightField, NodeSurface};
+    ///
+    /// let mut ground = HeightField::new(Grid::new(Shape::new(1, 2), [10.0; 2])?, vec![5.0; 2])?;
+    /// let mut removed = 0.0;
+    /// ground.change_nodes(0, &[(1, -2.0)], |_, volume| removed += volume);
+    /// assert_eq!((ground.elevation()[1], removed), (3.0, 200.0));
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    fn change_nodes(&mut self, material: u8, rises: &[(usize, f64)], mut cut: impl FnMut(u8, f64)) {
+        let domain = self.domain();
+        let (z, layers) = self.parts_mut();
+        for &(node, rise) in rises {
+            let before = z[node];
+            z[node] += rise;
+            match layers {
+                Some(layers) => layers.follow_node(node, [before, z[node]], material, domain.area(node), &mut cut),
+                None if rise < 0.0 => cut(0, -rise * domain.area(node)),
+                None => {}
+            }
+        }
+    }
+
+    /// Nodes with data nearer than `radius` to a place (m), each with the square of its distance
+    /// (m²), in their order; without any the nearest node alone.
+    ///
+    /// **Cost** O(nodes) by default; on a raster O(nodes that are near).
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::terrain::{HeightField, NodeSurface};
+    ///
+    /// let ground = HeightField::new(Grid::new(Shape::new(1, 3), [10.0; 2])?, vec![0.0; 3])?;
+    /// assert_eq!(ground.nodes_near([10.0, 0.0], 10.0), [(1, 0.0)]);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    fn nodes_near(&self, at: [f64; 2], radius: f64) -> Vec<(usize, f64)> {
+        let z = self.elevation();
+        let square = |i: usize| {
+            let [x, y] = self.position(i);
+            (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])
+        };
+        let valid = (0..z.len()).filter(|&i| !z[i].is_nan()).map(|i| (i, square(i)));
+        let near: Vec<_> = valid.clone().filter(|n| n.1 < radius * radius).collect();
+        if near.is_empty() { valid.min_by(|a, b| a.1.total_cmp(&b.1)).into_iter().collect() } else { near }
+    }
+
     /// Sets the depth (m) of a loose layer on every node; the surface rises or sinks with it,
     /// nodata excepted. The layer is made where there is none.
     ///

@@ -1,6 +1,6 @@
 //! From a raster to voxels.
 
-use landform_core::terrain::{HeightField, Materials, NodeSurface, VoxelGrid};
+use landform_core::terrain::{HeightField, Interpolation, Materials, NodeSurface, VoxelGrid, resample};
 use landform_core::units::Length;
 use landform_core::verb::{Convert, Estimate, Params, Source};
 use landform_core::{Error, Result};
@@ -13,6 +13,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToVoxels {
+    /// Width of a voxel: the surface is taken on such cells, linear between its own. If not given,
+    /// it is the size of its cells.
+    #[schemars(extend("x-above" = 0.0, "x-role" = "resolution"))]
+    pub cell_size: Option<Length>,
     /// Height of a voxel. If not given, the size of a cell.
     #[schemars(extend("x-min" = 0.001, "x-role" = "resolution"))]
     pub voxel_height: Option<Length>,
@@ -26,7 +30,7 @@ pub struct ToVoxels {
 
 impl Default for ToVoxels {
     fn default() -> Self {
-        Self { voxel_height: None, depth: Length::of(50.0), headroom: Length::of(0.0) }
+        Self { cell_size: None, voxel_height: None, depth: Length::of(50.0), headroom: Length::of(0.0) }
     }
 }
 
@@ -41,6 +45,11 @@ impl Params for ToVoxels {
 
 impl Convert<HeightField, VoxelGrid> for ToVoxels {
     fn convert(&self, source: &HeightField) -> Result<VoxelGrid> {
+        let resampled = match self.cell_size {
+            Some(cell) => Some(resample(source, &source.grid().with_cell_size(cell.si())?, Interpolation::Linear)?),
+            None => None,
+        };
+        let source = resampled.as_ref().unwrap_or(source);
         let z = source.elevation();
         let height = self.voxel_height.map_or(source.grid().spacing[0], Length::si);
         let range = |(low, high): (f64, f64), z: &f64| (low.min(*z), high.max(*z));
@@ -69,10 +78,17 @@ impl Convert<HeightField, VoxelGrid> for ToVoxels {
     /// As if the ground were a tenth as high as it is wide.
     fn estimate(&self, source: Estimate) -> Estimate {
         let side = source.extent[0].max(1.0);
-        let cell = (source.extent[0] * source.extent[1] / source.nodes.max(1) as f64).sqrt().max(1e-3);
+        let own = (source.extent[0] * source.extent[1] / source.nodes.max(1) as f64).sqrt().max(1e-3);
+        let cell = self.cell_size.map_or(own, Length::si);
+        let columns = self.cell_size.map_or(source.nodes, |_| source.raster_nodes(cell));
         let height = self.voxel_height.map_or(cell, Length::si);
         let levels = ((0.1 * side + self.depth.si() + self.headroom.si()) / height).ceil();
-        let nodes = (source.nodes as f64 * levels) as u64;
-        Estimate { nodes, columns: source.nodes, bytes: source.nodes * 60 + nodes * 2, ..source }
+        let nodes = (columns as f64 * levels) as u64;
+        Estimate {
+            nodes,
+            columns,
+            bytes: (source.nodes + columns).saturating_mul(60).saturating_add(nodes.saturating_mul(2)),
+            ..source
+        }
     }
 }

@@ -94,8 +94,42 @@ impl Visit for Evolving<'_, '_> {
         Ok(Some((terrain, outcome)))
     }
 
-    fn body<T: Body>(self, _: &T) -> Self::Out {
-        Err(not_a_surface(T::KIND, "a process on a clock"))
+    fn body<T: Body>(self, terrain: &T) -> Self::Out {
+        let Self { run, coarser, checkpoint, .. } = self;
+        let (clock, options) = (&run.evolve.clock, run.options);
+        let stop = clock.stop();
+        let asked = [
+            (run.evolve.watch.is_some(), "`watch`"),
+            (!coarser.is_empty(), "`refine`"),
+            (stop.steady.is_some(), "a run until it is steady"),
+        ];
+        if let Some((_, what)) = asked.iter().find(|asked| asked.0) {
+            return Err(not_a_surface(T::KIND, what));
+        }
+        let mut model = run.around(Model::new(terrain.clone()).seed(run.seed));
+        run.evolve.parts.iter().try_for_each(|part| part.add_to(T::KIND, &mut model))?;
+        let resume = options.resume && checkpoint.as_ref().is_some_and(Checkpoint::is_there);
+        let saves = checkpoint.is_some();
+        let beside = Mutex::new(Beside { watcher: None, checkpoint });
+        let mut simulation = Simulation::of(model).observe(Every::Steps(1), steps(stop, options.progress));
+        if let Some(time) = stop.time {
+            simulation = simulation.for_time(time);
+        }
+        if let Some(steps) = stop.steps {
+            simulation = simulation.for_steps(steps);
+        }
+        if saves {
+            simulation = simulation.save_every(options.checkpoint_every, |model| open(&beside).save(model));
+        }
+        if resume {
+            simulation = open(&beside).resume(simulation)?;
+        }
+        let outcome = simulation.run()?;
+        if outcome.stopped == Stopped::Cancelled {
+            open(&beside).save(simulation.model())?;
+            return Ok(None);
+        }
+        Ok(Some((simulation.into_terrain().wrap(), outcome)))
     }
 }
 
@@ -115,11 +149,16 @@ struct LeftOff<T> {
 
 impl<'a, 'b> Run<'a, 'b> {
     fn model<T: Surface>(self, terrain: &T, parts: &[ReadStage]) -> Result<Model<T>> {
-        Ok(model_of(terrain, parts, self.seed)?
+        Ok(self.around(model_of(terrain, parts, self.seed)?))
+    }
+
+    /// A model with the clock and the surroundings of the run.
+    fn around<T: Terrain>(self, model: Model<T>) -> Model<T> {
+        model
             .dt(self.evolve.clock.step())
             .maps(self.recipe.maps.clone())
             .environment(self.recipe.environment.clone())
-            .cancel(self.options.cancel.clone()))
+            .cancel(self.options.cancel.clone())
     }
 
     /// Runs coarser levels, each from where the one before left off; none if the run was asked to
@@ -232,7 +271,7 @@ fn open<'m, 'a>(beside: &'m Mutex<Beside<'a>>) -> MutexGuard<'m, Beside<'a>> {
 }
 
 /// Tells of every step.
-fn steps<'p, T: Surface>(
+fn steps<'p, T: Terrain>(
     stop: Stop,
     progress: &'p Progress<'p>,
 ) -> impl FnMut(&View<T>) -> Result<ControlFlow<()>> + Send + 'p {

@@ -128,9 +128,9 @@ impl VoxelGrid {
     /// ```
     pub fn empty_where(&mut self, is_open: impl Fn(usize) -> bool) -> usize {
         let mut emptied = 0;
-        for (i, voxel) in self.voxels.iter_mut().enumerate() {
-            if *voxel != super::EMPTY && is_open(i) {
-                *voxel = super::EMPTY;
+        for i in 0..self.voxels.len() {
+            if self.voxels[i] != super::EMPTY && is_open(i) {
+                self.clear(i);
                 emptied += 1;
             }
         }

@@ -4,6 +4,7 @@
 
 mod erode;
 mod fields;
+mod fill;
 mod ground;
 
 use serde::{Deserialize, Serialize};
@@ -39,6 +40,9 @@ pub struct VoxelGrid {
     /// Numbers of materials, level by level from the underside, each in the order of the plan's
     /// nodes.
     voxels: Vec<u8>,
+    /// Part of each voxel that is solid, in the order of the voxels; none where voxels are whole.
+    #[serde(default)]
+    fill: Option<Vec<f32>>,
     /// Named values, each in the order of the voxels.
     #[serde(default)]
     fields: Vec<(String, Vec<f32>)>,
@@ -109,7 +113,7 @@ impl VoxelGrid {
             return Err(Error::parameter("material", voxels[i], &format!("a number below {most}")));
         }
         let (fields, features) = (Vec::new(), Features::default());
-        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels, fields, features })
+        Ok(Self { plan, levels, bottom, height, materials: materials.clone(), voxels, fill: None, fields, features })
     }
 
     /// The raster over whose nodes the columns stand.
@@ -181,14 +185,17 @@ impl VoxelGrid {
         self.plan.cell_area() * self.height
     }
 
-    /// The number of the material of a voxel; none where it is empty.
+    /// The number of the material of a voxel; none where it is empty, or less than half full.
     pub fn material(&self, level: usize, node: usize) -> Option<u8> {
-        Some(self.voxels[level * self.plan.len() + node]).filter(|v| *v != EMPTY)
+        let i = level * self.plan.len() + node;
+        self.is_solid_at(i).then(|| self.voxels[i])
     }
 
-    /// How many voxels are not empty. **Cost** O(voxels).
+    /// How many voxels are not empty, that is at least half full. **Cost** O(voxels).
     pub fn solids(&self) -> usize {
-        parallel::map_pieces(self.voxels.len(), |r| self.voxels[r].iter().filter(|v| **v != EMPTY).count()).iter().sum()
+        parallel::map_pieces(self.voxels.len(), |mut r| r.by_ref().filter(|&i| self.is_solid_at(i)).count())
+            .iter()
+            .sum()
     }
 
     /// Elevation of the upper face of the uppermost voxel of a column that is not empty, m.
@@ -221,7 +228,7 @@ impl VoxelGrid {
             for node in rows.clone().flat_map(|row| cols.clone().map(move |col| (row, col))) {
                 let node = self.plan.shape.index(node.0, node.1);
                 if self.material(level, node).is_some() && cut(self.middle(level, node)) {
-                    self.voxels[level * self.plan.len() + node] = EMPTY;
+                    self.clear(level * self.plan.len() + node);
                     emptied += 1;
                 }
             }
@@ -238,8 +245,8 @@ pub fn nothing_solid() -> Error {
 
 impl Terrain for VoxelGrid {
     const KIND: Kind = Kind::VoxelGrid;
-    /// A byte a voxel, and what making its surface takes.
-    const BYTES_A_NODE: u64 = 9;
+    /// A byte a voxel, four for how full it is, and what making its surface takes.
+    const BYTES_A_NODE: u64 = 13;
 
     fn nodes(&self) -> usize {
         self.voxels.len()
@@ -247,7 +254,11 @@ impl Terrain for VoxelGrid {
 
     /// Under the underside all is solid, down to z = 0.
     fn volume(&self) -> f64 {
-        self.plan.cell_area() * self.bottom * self.plan.len() as f64 + self.solids() as f64 * self.voxel_volume()
+        let solid = match &self.fill {
+            None => self.solids() as f64,
+            Some(fill) => parallel::sum(fill.len(), |i| f64::from(fill[i])),
+        };
+        self.plan.cell_area() * self.bottom * self.plan.len() as f64 + solid * self.voxel_volume()
     }
 
     fn check_finite(&self) -> Result<(), (&'static str, usize)> {
