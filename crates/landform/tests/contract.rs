@@ -10,7 +10,7 @@ use landform::core::parallel::with_threads;
 use landform::core::random::Seed;
 use landform::core::sim::Model;
 use landform::core::terrain::{
-    Body, HeightField, Kind, Layer, Mesh, NodeSurface, Representation, Surface, Terrain, VoxelGrid,
+    Body, Bounds, Ground, HeightField, Kind, Layer, Mesh, NodeSurface, Representation, Surface, Terrain, VoxelGrid,
 };
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::export::WritePicture;
@@ -455,28 +455,17 @@ fn a_sea_that_leaves_the_map_is_an_error_that_says_when() {
 /// A terrain in mid-run, edited, goes on as a run that begins on the edited terrain at that time.
 #[test]
 fn an_edit_in_mid_run_equals_a_fresh_start_for_every_process() {
-    fn check<T: Representation + NodeSurface + PartialEq>(stage: &'static Stage, terrain: &T) {
+    fn check<T: Representation + PartialEq>(stage: &'static Stage, terrain: &T, edit: impl Fn(&mut T)) {
         let part = stage.read(&serde_json::json!({})).unwrap_or_else(|e| panic!("{}: {e:?}", stage.name));
         let model = |terrain: T| {
             let mut model = Model::new(terrain);
             part.add_to(T::KIND, &mut model).unwrap();
             model.dt(3e11).seed(Seed(8))
         };
-        let edit = |terrain: &mut T| {
-            // A hill, a hollow, and other outlets.
-            let n = terrain.elevation().len();
-            terrain.change(Layer::Bedrock, |z| (n / 3..n / 3 + n / 20).for_each(|i| z[i] += 40.0));
-            terrain.change(Layer::Surface("sediment"), |z| (n / 2..n / 2 + n / 20).for_each(|i| z[i] -= 15.0));
-            let mut status = terrain.domain().status().to_vec();
-            if let Some(first) = status.iter().position(|&s| s == Status::BaseLevel) {
-                status[first] = Status::Interior;
-            }
-            terrain.set_status(Some(status));
-        };
         let mut edited = model(terrain.clone());
         edited.advance_steps(3).unwrap();
         let before = edited.terrain().clone();
-        edited.edit(edit).unwrap();
+        edited.edit(&edit).unwrap();
         let mut fresh = {
             let mut terrain = before;
             edit(&mut terrain);
@@ -493,10 +482,27 @@ fn an_edit_in_mid_run_equals_a_fresh_start_for_every_process() {
         assert!(budget.imbalance() < 1e-9, "{}: {:e}", stage.name, budget.imbalance());
         assert!(budget.sediment_imbalance() < 1e-9, "{}: {:e}", stage.name, budget.sediment_imbalance());
     }
+    /// A hill, a hollow, and other outlets.
+    fn reshape<T: NodeSurface>(terrain: &mut T) {
+        let n = terrain.elevation().len();
+        terrain.change(Layer::Bedrock, |z| (n / 3..n / 3 + n / 20).for_each(|i| z[i] += 40.0));
+        terrain.change(Layer::Surface("sediment"), |z| (n / 2..n / 2 + n / 20).for_each(|i| z[i] -= 15.0));
+        let mut status = terrain.domain().status().to_vec();
+        if let Some(first) = status.iter().position(|&s| s == Status::BaseLevel) {
+            status[first] = Status::Interior;
+        }
+        terrain.set_status(Some(status));
+    }
+    fn hollow(ground: &mut VoxelGrid) {
+        let Bounds { low, high } = ground.bounding_box();
+        let middle = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
+        assert!(ground.empty(Bounds { low, high: middle }, |_| true) > 0);
+    }
     for (stage, kind) in processes() {
         match run(start(kind)) {
-            AnyTerrain::HeightField(t) => check::<HeightField>(stage, &t),
-            AnyTerrain::Mesh(t) => check::<Mesh>(stage, &t),
+            AnyTerrain::HeightField(t) => check::<HeightField>(stage, &t, reshape),
+            AnyTerrain::Mesh(t) => check::<Mesh>(stage, &t, reshape),
+            AnyTerrain::VoxelGrid(t) => check::<VoxelGrid>(stage, &t, hollow),
             other => panic!("{}", other.kind()),
         }
     }
@@ -575,4 +581,66 @@ fn a_karst_network_is_grown_measured_and_hollowed_out() {
     assert_eq!((measured["parts"].as_u64(), measured["pattern"].as_str()), (Some(1), Some("branchwork")));
     let survey = String::from_utf8_lossy(&out.0["network.svx"]);
     assert_eq!(survey.lines().filter(|l| l.starts_with("*entrance")).count(), 41);
+}
+
+/// The recipe that fixes the words of particles, on coarser cells: rain on heights, then waves on
+/// voxels of the same hill; every file comes, whatever the number of threads.
+#[test]
+fn rain_and_then_waves_erode_a_hill() {
+    let text = r#"
+seed = 8
+[[stage]]
+use = "surface"
+label = "hill"
+grid = { size = ["2 km", "2 km"], cell_size = "50 m" }
+elevation = { formula = "160 - 130*smoothstep(0.55, 0.75, u) + 12*noise(x/400, y/400)", unit = "m" }
+[[stage]]
+use = "particle_erosion"
+phenomenon = "rain"
+particles = 100
+iterations = 10
+[[stage]]
+use = "write_raster"
+field = "elevation"
+path = "rain_on_heights.tif"
+[[stage]]
+use = "to_voxels"
+from = "hill"
+cell_size = "25 m"
+depth = "60 m"
+[[stage]]
+use = "particle_erosion"
+phenomenon = "coastal"
+sea_level = "60 m"
+flow = { uniform = ["-1 m/s", "0 m/s", "0 m/s"] }
+particles = 80
+iterations = 3
+[[stage]]
+use = "write_mesh"
+path = "coast.glb"
+[[stage]]
+use = "write_picture"
+view = "perspective"
+size = 64
+path = "coast.png"
+"#;
+    let ran = |threads| {
+        with_threads(threads, || {
+            let mut out = MemoryOutput::default();
+            recipe(text).run(&mut out, &Options::default()).unwrap();
+            out
+        })
+        .unwrap()
+    };
+    let out = ran(1);
+    assert_eq!(out.0.keys().collect::<Vec<_>>(), ["coast.glb", "coast.png", "rain_on_heights.tif"]);
+    assert!(ran(3).0 == out.0, "the number of threads shows");
+    let mesh = text.replace("use = \"surface\"", "use = \"stream_graph\"").replace(
+        "grid = { size = [\"2 km\", \"2 km\"], cell_size = \"50 m\" }",
+        "size = [\"2 km\", \"2 km\"]\nnodes = 200",
+    );
+    let mesh: String = mesh.lines().filter(|l| !l.starts_with("elevation")).map(|l| format!("{l}\n")).collect();
+    let run = |r: Recipe| r.run(&mut MemoryOutput::default(), &Options::default()).map(drop);
+    let refused = Recipe::parse(&mesh, "t", Path::new("."), &[]).and_then(run).unwrap_err().to_string();
+    assert!(refused.contains("mesh") && refused.contains("particle_erosion"), "{refused}");
 }

@@ -75,7 +75,7 @@ pub trait Ground: Terrain {
     }
 
     /// The point of the surface beside a place (m), and its unit normal out of the ground; none
-    /// beyond the ground and on nodata. By default the point straight above or below.
+    /// beyond the ground and on nodata. By default along the normal over or under the place.
     ///
     /// ```
     /// use landform_core::grid::{Grid, Shape};
@@ -85,9 +85,8 @@ pub trait Ground: Terrain {
     /// assert_eq!(plain.contact([5.0, 5.0, 48.0]), Some(([5.0, 5.0, 50.0], [0.0, 0.0, 1.0])));
     /// # Ok::<(), landform_core::Error>(())
     /// ```
-    fn contact(&self, [x, y, _]: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
-        let height = self.height_at([x, y])?;
-        Some(([x, y, height], self.normal_at([x, y])))
+    fn contact(&self, place: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
+        along_normal(place, |[x, y]| Some((self.height_at([x, y])?, self.normal_at([x, y]))))
     }
 
     /// Where a straight line from `from` to `to` first enters the ground, as a part of its length,
@@ -114,6 +113,21 @@ pub trait Ground: Terrain {
     }
 }
 
+/// The point of a surface along its normal from a place, and the normal there; `surface` gives the
+/// height and the normal at a place of the map.
+fn along_normal(
+    [x, y, z]: [f64; 3],
+    surface: impl Fn([f64; 2]) -> Option<(f64, [f64; 3])>,
+) -> Option<([f64; 3], [f64; 3])> {
+    let (height, normal) = surface([x, y])?;
+    let depth = (height - z) * normal[2];
+    let beside = [x + depth * normal[0], y + depth * normal[1]];
+    match surface(beside) {
+        Some((height, normal)) => Some(([beside[0], beside[1], height], normal)),
+        None => Some(([x, y, height], normal)),
+    }
+}
+
 fn span(surface: &impl NodeSurface) -> Bounds {
     let [[west, south], [east, north]] = surface.bounds();
     let range = |(a, b): (f64, f64), &z: &f64| (a.min(z), b.max(z));
@@ -128,6 +142,15 @@ impl Ground for HeightField {
 
     fn height_at(&self, place: [f64; 2]) -> Option<f64> {
         Some(self.elevation_at(place)).filter(|z| !z.is_nan())
+    }
+
+    /// The slope is that of the bilinear surface at the point itself.
+    fn contact(&self, place: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
+        along_normal(place, |at| {
+            let (height, [gx, gy]) = self.height_and_slope(at)?;
+            let length = (1.0 + gx * gx + gy * gy).sqrt();
+            Some((height, [-gx / length, -gy / length, 1.0 / length]))
+        })
     }
 
     fn resolution(&self) -> f64 {

@@ -3,7 +3,7 @@
 use landform_core::analysis::{LEAST_WINDOW, density};
 use landform_core::field::names::unit_of;
 use landform_core::grid::Shape;
-use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, Rasterize, VoxelGrid};
+use landform_core::terrain::{Bounds, Ground, HeightField, Mesh, NodeSurface, Rasterize, VoxelGrid, nothing_solid};
 use landform_core::units::{Angle, Length};
 use landform_core::verb::{Environment, Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use crate::format::encode_png;
 use crate::render::{
     CutawayView, MapStyle, Picture, Ramp, Standpoint, View, cutaway, field_map_with_legend, perspective, shaded_map,
-    value_picture,
+    solid, value_picture,
 };
 
 /// Writes a picture (PNG): a map from above, or a perspective view.
@@ -72,7 +72,7 @@ pub struct WritePicture {
 pub enum ViewKind {
     /// From above, north up.
     Map,
-    /// A block of land under a low sun.
+    /// A block of land under a low sun; of voxels with their overhangs, seen from far.
     Perspective,
     /// The land from a standpoint in it, up to the horizon.
     Landscape,
@@ -265,23 +265,32 @@ impl Export<Mesh> for WritePicture {
 
 impl Export<VoxelGrid> for WritePicture {
     fn export(&self, landscape: &Landscape<'_, VoxelGrid>, out: &mut dyn Output) -> Result<()> {
-        if self.view != ViewKind::Cutaway {
-            let expected = "\"cutaway\" for a voxel grid; `uppermost_surface` makes a height field of it";
+        if !matches!(self.view, ViewKind::Cutaway | ViewKind::Perspective) {
+            let expected =
+                "\"perspective\" or \"cutaway\" for a voxel grid; `uppermost_surface` makes a height field of it";
             return Err(Error::parameter("view", "a view of a surface", expected));
         }
         let ground = landscape.terrain;
         let (size, view) = (self.size, View::default());
-        let tilt = self.tilt.map_or(0.62, Angle::si).clamp(0.05, 1.5);
-        let (mut picture, rule) = cutaway(
-            ground,
-            &CutawayView {
-                shape: Shape::new((size * 5 / 8).max(1), size),
-                from: if self.view_from.si() == view.from { 2.62 } else { self.view_from.si() },
-                tilt,
-                sun: [self.sun.si(), self.sun_altitude.si().max(0.6)],
-                zoom: self.zoom,
-            },
-        );
+        let is_outside = self.view == ViewKind::Perspective;
+        let from = if self.view_from.si() == view.from && !is_outside { 2.62 } else { self.view_from.si() };
+        let least_altitude = if is_outside { 0.05 } else { 0.6 };
+        let block = CutawayView {
+            shape: Shape::new((size * 5 / 8).max(1), size),
+            from,
+            tilt: self.tilt.map_or(0.62, Angle::si).clamp(0.05, 1.5),
+            sun: [self.sun.si(), self.sun_altitude.si().max(least_altitude)],
+            zoom: self.zoom,
+        };
+        if is_outside {
+            if ground.solids() == 0 {
+                return Err(nothing_solid());
+            }
+            let sea = landscape.environment.sea(self.sea_level).filter(|_| self.water);
+            let picture = solid(ground, &block, sea);
+            return out.put(&self.path, &encode_png(&picture.pixels, picture.shape)?);
+        }
+        let (mut picture, rule) = cutaway(ground, &block);
         let Bounds { low, high } = ground.bounding_box();
         let side = [0, 1, 2].map(|k| format!("{:.0}", high[k] - low[k])).join(" x ");
         picture.label(&format!("{side} m, rule in {rule} m"));

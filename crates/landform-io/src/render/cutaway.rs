@@ -154,7 +154,7 @@ impl Body {
 }
 
 /// The distances at which a ray enters and leaves a box, and the axis over which it enters.
-fn through([low, high]: [Vector; 2], from: Vector, way: Vector) -> Option<([f64; 2], usize)> {
+pub(super) fn through([low, high]: [Vector; 2], from: Vector, way: Vector) -> Option<([f64; 2], usize)> {
     let (mut first, mut last, mut axis) = (0.0_f64, f64::INFINITY, 0);
     for k in 0..3 {
         let ends = [low[k], high[k]].map(|v| (v - from[k]) / way[k]);

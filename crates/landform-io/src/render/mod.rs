@@ -25,6 +25,7 @@ mod light;
 mod map;
 mod perspective;
 mod pyramid;
+mod solid;
 
 use landform_core::grid::Shape;
 use serde::{Deserialize, Serialize};
@@ -36,6 +37,7 @@ pub(crate) use map::field_map_with_legend;
 pub use map::{MapStyle, difference_map, field_map, shaded_map, value_picture};
 pub(crate) use perspective::BlockView;
 pub use perspective::{Standpoint, View, perspective};
+pub(crate) use solid::solid;
 
 /// A picture: 8-bit red, green, blue, row-major from the top.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

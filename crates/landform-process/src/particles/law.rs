@@ -13,7 +13,7 @@
 use landform_core::math;
 use landform_core::terrain::Materials;
 
-use super::motion::{Body, WATER, dot, hindered, wave_speed};
+use super::motion::{Body, dot, hindered, wave_speed};
 use super::params::{Hindrance, ParticleErosion};
 use super::presets::Preset;
 
@@ -21,16 +21,16 @@ use super::presets::Preset;
 #[derive(Clone, Debug)]
 pub(super) struct Law {
     pub(super) capacity: f64,
-    erosion: f64,
-    deposition: f64,
-    critical_shear: f64,
-    shear_distance: Option<f64>,
-    shear_exponent: f64,
-    restitution: f64,
-    friction: f64,
-    hindrance: Hindrance,
+    pub(super) erosion: f64,
+    pub(super) deposition: f64,
+    pub(super) critical_shear: f64,
+    pub(super) shear_distance: Option<f64>,
+    pub(super) shear_exponent: f64,
+    pub(super) restitution: f64,
+    pub(super) friction: f64,
+    pub(super) hindrance: Hindrance,
     /// Erodibility over that of rock, by number of the material; empty on plain ground.
-    softness: Vec<f64>,
+    pub(super) softness: Vec<f64>,
     pub(super) most_hits: Option<u32>,
     pub(super) most_steps: u32,
 }
@@ -98,7 +98,7 @@ impl Law {
         if !settling.is_finite() {
             return 0.0;
         }
-        let exponent = body.exponent(if fluid < WATER { fluid } else { WATER });
+        let exponent = body.exponent(fluid);
         let settling = settling * hindered(self.hindrance, part, self.capacity, exponent);
         (self.deposition * settling * contact * part).min(load)
     }

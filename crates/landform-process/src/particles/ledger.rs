@@ -81,8 +81,9 @@ impl Stock {
             if step.volume < 0.0 {
                 let wanted = self.owed - step.volume;
                 let taken = ground.take(brush, wanted, &mut self.load);
-                // Beside the ground nothing is to be had: it is not asked for twice.
-                self.owed = (wanted - taken).clamp(0.0, -step.volume);
+                // Beside the ground nothing is to be had: not more than a particle is asked for later.
+                let most = 4.0 * trace.radius * trace.radius * trace.radius;
+                self.owed = (wanted - taken).clamp(0.0, most);
                 books.taken += taken;
             } else {
                 books.laid += self.lay(ground, deposits, brush, step.volume);
@@ -109,7 +110,8 @@ impl Stock {
         let (part, mut laid) = ((volume / whole).min(1.0), 0.0);
         for (number, load) in self.load.iter_mut().enumerate().filter(|l| *l.1 > 0.0) {
             let done = ground.lay(brush, part * *load, deposits.laid_as(number));
-            *load = (*load - done).max(0.0);
+            // In single precision a voxel may hold a little more than was laid.
+            *load -= done;
             laid += done;
         }
         laid

@@ -12,7 +12,9 @@
 //! ground it is on. **Cost** O(steps · nodes under the brush).
 //!
 //! # Limits
-//! Particles do not meet each other. Base levels are not held: the ground moves wherever particles
+//! Particles do not meet each other. Results depend on the cells: of drops that bounce, cells of half
+//! the size wore a third less in a trial on a hill, and voxels three quarters of what a raster does, in
+//! other places. Base levels are not held: the ground moves wherever particles
 //! touch it. The flow does not feel what particles do before the next iteration. A particle that
 //! rests on its way through water lets its load fall straight down. A voxel is of one material: in a
 //! mixture the larger part gives the name.
@@ -22,7 +24,7 @@
 //!
 //! # Checked by
 //! `tests`: Stokes, hindered settling, volumes of brushes, mass, limits of loads, bounces, energy on
-//! slopes without friction, rest, buoyancy, cones, agreement of kinds of ground, threads, the wind.
+//! slopes without friction, rest, buoyancy, cones, layers against plain ground, threads, the wind.
 //!
 //! # Example
 //! Rain on a hill carries ground from its top to its foot:
@@ -158,15 +160,14 @@ impl ParticleErosion {
         let of_table = if self.radius.is_some() { least } else { preset.radius[1] * cell };
         let most = self.greatest_radius.map_or(of_table, |r| r.si()).max(least);
         let widest = math::hypot(bounds.high[0] - bounds.low[0], bounds.high[1] - bounds.low[1]).max(cell);
-        let name = if self.greatest_radius.is_some() { "greatest_radius" } else { "radius" };
-        if most > 10.0 * widest {
-            return Err(Error::parameter(
-                name,
-                format!("{most} m"),
-                &format!("at most {} m on this map", 10.0 * widest),
-            ));
+        let given = self.greatest_radius.or(self.radius);
+        match given.filter(|radius| radius.si() > widest) {
+            Some(radius) => {
+                let name = if self.greatest_radius.is_some() { "greatest_radius" } else { "radius" };
+                Err(Error::parameter(name, radius, &format!("at most {widest:.0} m, the diagonal of the map")))
+            }
+            None => Ok([least, most]),
         }
-        Ok([least, most])
     }
 
     /// The emitter, and the direction of the flow for one that needs it.

@@ -40,17 +40,17 @@ pub struct ParticleErosion {
     /// What the particles are.
     pub phenomenon: Phenomenon,
     /// Number of particles in an iteration.
-    #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
+    #[schemars(extend("x-min" = 1, "x-max" = 100_000))]
     pub particles: Option<u64>,
     /// Number of iterations, if there is no clock.
     #[schemars(extend("x-min" = 1, "x-max" = 1_000_000))]
     pub iterations: Option<u64>,
     /// Radius within which a particle works on the ground. If not given, it is so many cells or
     /// voxels as the phenomenon has; in metres the result does not depend on the cells.
-    #[schemars(extend("x-above" = 0.0, "x-max" = 1e6))]
+    #[schemars(extend("x-min" = 0.001, "x-max" = 1e6))]
     pub radius: Option<Length>,
     /// Greatest radius: each particle has one between the two. If not given, all have `radius`.
-    #[schemars(extend("x-above" = 0.0, "x-max" = 1e6))]
+    #[schemars(extend("x-min" = 0.001, "x-max" = 1e6))]
     pub greatest_radius: Option<Length>,
     /// Density of the particle, kg/m³; air has 1, water 1000. A load makes it heavier.
     #[schemars(extend("x-min" = 0.1, "x-max" = 10_000.0))]
@@ -78,7 +78,7 @@ pub struct ParticleErosion {
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e6))]
     pub critical_shear: f64,
     /// Distance over which the flow is sheared at the ground. If not given, the radius.
-    #[schemars(extend("x-above" = 0.0, "x-max" = 1e6))]
+    #[schemars(extend("x-min" = 1e-6, "x-max" = 1e6))]
     pub shear_distance: Option<Length>,
     /// Exponent of the excess of shear.
     #[schemars(extend("x-min" = 0.1, "x-max" = 5.0))]

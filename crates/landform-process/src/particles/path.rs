@@ -38,6 +38,8 @@ pub(super) struct Trace {
     pub(super) brought: f64,
     pub(super) exchanges: Vec<Exchange>,
     pub(super) end: End,
+    /// Where it was last, and its velocity.
+    pub(super) last: State,
     pub(super) steps: u32,
 }
 
@@ -50,6 +52,8 @@ pub(super) struct Particle {
     pub(super) load: f64,
 }
 
+/// Steps in a row that lead nowhere, after which a particle is at rest.
+const MOST_STUCK: u32 = 3;
 /// Part of a cell that counts as on the surface.
 const TOUCH: f64 = 1e-3;
 
@@ -58,10 +62,13 @@ pub(super) fn trace<T: Erodible>(ground: &T, fluids: &Fluids, law: &Law, particl
     let Particle { body, mut state, mut load } = particle;
     let (cell, volume) = (ground.resolution(), body.volume());
     let least = law.least_bounce(&body);
-    let mut trace = Trace { radius: body.radius, brought: load, exchanges: Vec::new(), end: End::Left, steps: 0 };
-    let (mut depth, mut since, mut hits) = (ground.depth_at(state.at).unwrap_or(0.0), f64::INFINITY, 0);
+    let mut trace =
+        Trace { radius: body.radius, brought: load, exchanges: Vec::new(), end: End::Left, last: state, steps: 0 };
+    let (mut depth, mut since) = (ground.depth_at(state.at).unwrap_or(0.0), 0.0);
+    let (mut hits, mut stuck) = (0, 0);
     while trace.steps < law.most_steps {
         trace.steps += 1;
+        trace.last = state;
         let density = body.loaded(load / volume);
         let fluid = fluids.density(state.at[2]);
         let flow = fluids.velocity(state.at)?;
@@ -83,7 +90,19 @@ pub(super) fn trace<T: Erodible>(ground: &T, fluids: &Fluids, law: &Law, particl
             next = body.fly(state, density, fluid, flow, dt);
         }
         let Some((point, normal)) = ground.contact(next.at) else { return Ok(trace) };
-        let velocity = no_faster(next.velocity, -2.0 * rise * (point[2] - next.at[2]));
+        let most = if flow == [0.0; 3] { Some(2.0 * rise * (point[2] - state.at[2])) } else { None };
+        let Some(away) = no_faster(law.leave(next.velocity, normal, least), state.velocity, most, rise.abs() * cell)
+        else {
+            // Where it cannot come up it stays.
+            stuck += 1;
+            state.velocity = [0.0; 3];
+            if stuck > MOST_STUCK {
+                break;
+            }
+            continue;
+        };
+        stuck = 0;
+        let velocity = next.velocity;
         let time = (since + dt).min(body.radius / dot(velocity, velocity).sqrt().max(1e-9));
         let q = law.exchange(&body, load, dot(velocity, velocity).sqrt(), time, fluid, |material| {
             material(ground.material_at(point))
@@ -97,25 +116,28 @@ pub(super) fn trace<T: Erodible>(ground: &T, fluids: &Fluids, law: &Law, particl
         if law.most_hits.is_some_and(|most| hits >= most) {
             return Ok(trace);
         }
-        state = State { at: point, velocity: law.leave(velocity, normal, least) };
+        state = State { at: point, velocity: away };
         (depth, since) = (0.0, 0.0);
         let push = push(&body, density, rise, flow, state.velocity);
         if law.rests(&body, state.velocity, normal, push) {
             break;
         }
     }
-    trace.end = End::Here(state.at);
+    (trace.end, trace.last) = (End::Here(state.at), state);
     Ok(trace)
 }
 
-/// A velocity with less of its square; none where it has not as much.
-fn no_faster(velocity: [f64; 3], less: f64) -> [f64; 3] {
-    let square = dot(velocity, velocity);
-    if !(less > 0.0 && square > 0.0) {
-        return velocity;
+/// A velocity whose square is no greater than that of the one before and what the way has added,
+/// where that is known; none where the way takes more than there was. `scale` is a square of a
+/// velocity beside which rounding is looked for.
+fn no_faster(velocity: [f64; 3], before: [f64; 3], added: Option<f64>, scale: f64) -> Option<[f64; 3]> {
+    let Some(added) = added else { return Some(velocity) };
+    let (square, most) = (dot(velocity, velocity), dot(before, before) + added);
+    if square <= most {
+        return Some(velocity);
     }
-    let part = (1.0 - less / square).max(0.0).sqrt();
-    velocity.map(|v| v * part)
+    let part = if most > 0.0 { (most / square).sqrt() } else { 0.0 };
+    (most > -1e-12 * scale).then(|| velocity.map(|v| v * part))
 }
 
 /// Acceleration by weight and flow, m/s².

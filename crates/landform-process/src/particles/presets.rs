@@ -58,7 +58,8 @@ type Row = (u64, u64, [f64; 2], f64, f64, [f64; 3]);
 impl Phenomenon {
     /// Hartley (thesis), Table 6.1. For the volcano it has a restitution of 5 and a radius of 1,
     /// which are taken as swapped. Its factors are without units: capacity is taken in hundredths of
-    /// the particle's volume, erosion in cm/s, deposition in tenths and at most 1.
+    /// the particle's volume, deposition in hundredths, erosion in mm/s, or cm/s for what strikes a
+    /// coast or the walls of a passage and does not run over the ground.
     const fn row(self) -> Row {
         match self {
             Self::Rain => (100, 10, [1.0, 1.0], 1.0, 1000.0, [10.0, 2.5, 0.3]),
@@ -88,8 +89,8 @@ impl Phenomenon {
             restitution,
             density,
             capacity: 0.01 * capacity,
-            erosion: 0.01 * erosion,
-            deposition: (0.1 * deposition).min(1.0),
+            erosion: if matches!(self, Self::Coastal | Self::Karst) { 0.01 } else { 0.001 } * erosion,
+            deposition: 0.01 * deposition,
             initial_load: if self == Self::Volcano { 0.1 } else { 0.0 },
             flow_in,
             emitter,

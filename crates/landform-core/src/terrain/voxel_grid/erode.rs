@@ -10,6 +10,9 @@ use crate::terrain::{Brush, Erodible, Materials};
 /// Rounds in which what finds no room in a voxel is shared among the others.
 const ROUNDS: usize = 4;
 
+/// Least part of a voxel that is moved.
+const LEAST: f64 = 1e-6;
+
 impl VoxelGrid {
     /// Voxels under a brush, nearest first, with the squares of their distances (m²); the one at
     /// its middle alone where it is finer than they are.
@@ -92,6 +95,10 @@ impl VoxelGrid {
         let under: Vec<_> = self.weights(brush).into_iter().filter(|v| self.part(v.0) > 0.0).collect();
         let mut left = volume;
         for _ in 0..ROUNDS {
+            // Less than nothing is left where numbers of single precision took a little more.
+            if !(left > LEAST * unit) {
+                break;
+            }
             left -= self.share(&under, -left, unit, |grid, i, moved| {
                 load[usize::from(grid.voxels[i])] += moved;
                 if grid.part(i) == 0.0 {
@@ -108,6 +115,9 @@ impl VoxelGrid {
         let (unit, n, mut left) = (self.voxel_volume(), self.plan.len(), volume);
         let under = self.weights(brush);
         for _ in 0..ROUNDS {
+            if !(left > LEAST * unit) {
+                break;
+            }
             let rests = |i: usize| self.part(i) > 0.0 || i < n || self.part(i - n) >= 0.5;
             let free: Vec<_> = under.iter().copied().filter(|v| self.part(v.0) < 1.0 && rests(v.0)).collect();
             left -= self.share(&free, left, unit, |grid, i, moved| {
@@ -130,7 +140,7 @@ impl VoxelGrid {
         mut tell: impl FnMut(&mut Self, usize, f64),
     ) -> f64 {
         let whole: f64 = voxels.iter().map(|v| v.1).sum();
-        if !(whole > 0.0 && volume.abs() > 1e-9 * unit) {
+        if !(whole > 0.0) {
             return 0.0;
         }
         let mut moved = 0.0;
