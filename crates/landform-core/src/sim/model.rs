@@ -315,6 +315,11 @@ impl<T: Terrain> Model<T> {
         processes.iter_mut().try_for_each(|process| process.finish(terrain, environment))
     }
 
+    /// What users should know of the ground after [`Model::finish`].
+    pub fn notes(&self) -> impl Iterator<Item = String> {
+        self.processes.iter().filter_map(|process| process.note(&self.terrain))
+    }
+
     /// Changes the terrain from outside. Volume that the edit adds or takes is counted as supplied
     /// or as removed, so that mass closes. Sediment that processes carried is counted as exported.
     /// Then the processes begin anew on the terrain.

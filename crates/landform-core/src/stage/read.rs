@@ -106,6 +106,17 @@ impl ReadStage {
         self.stage.read(&coarser(&(self.stage.form.schema)(), self.parameters(), factor))
     }
 
+    /// The fastest that it raises ground by itself, m/s, where that is known before a run.
+    pub fn raises(&self) -> Option<f64> {
+        (self.stage.form.raises)(&*self.parameters.value)
+    }
+
+    /// What a user should know before it runs on ground like `before`, which is raised at up to
+    /// `raised` (m/s) on the same clock.
+    pub fn warning(&self, before: &Estimate, raised: f64) -> Option<String> {
+        (self.stage.form.warning)(&*self.parameters.value, before, raised)
+    }
+
     /// The clock that it brings with it, if it is a process that does.
     pub fn own_clock(&self) -> Option<OwnClock> {
         match self.stage.acts.first()?.run {

@@ -66,6 +66,20 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Mean distance of nodes, m; none where extent or nodes are not known.
+    ///
+    /// ```
+    /// use landform_core::verb::Estimate;
+    ///
+    /// let map = Estimate { extent: [1000.0, 500.0], nodes: 20_000, ..Estimate::default() };
+    /// assert_eq!(map.spacing(), Some(5.0));
+    /// assert_eq!(Estimate::default().spacing(), None);
+    /// ```
+    pub fn spacing(&self) -> Option<f64> {
+        let spacing = (self.extent[0] * self.extent[1] / self.nodes as f64).sqrt();
+        (spacing > 0.0 && spacing.is_finite()).then_some(spacing)
+    }
+
     /// Number of nodes of a raster over this extent, with cells of so many metres.
     ///
     /// ```
@@ -216,6 +230,11 @@ pub trait Process<T: Terrain>: Params {
     /// # Errors
     /// If a numerical method fails.
     fn step(&self, terrain: &mut T, state: &mut Self::State, at: &Step) -> Result<Change>;
+
+    /// What a user should know of the ground after the last step and [`Process::finish`].
+    fn note(&self, _terrain: &T, _state: &Self::State) -> Option<String> {
+        None
+    }
 
     /// Adds derived fields after the last step.
     ///

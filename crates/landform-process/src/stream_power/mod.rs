@@ -84,6 +84,7 @@ mod braun_willett_2013;
 mod law;
 mod params;
 mod rock;
+mod talus;
 #[cfg(test)]
 mod tests;
 mod yuan_2019;
@@ -299,6 +300,11 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         };
         state.sea_level = sea.unwrap_or(0.0);
         Ok(change)
+    }
+
+    fn note(&self, terrain: &T, state: &Self::State) -> Option<String> {
+        let domain = state.scratch.domain.as_ref()?;
+        talus::note(self.talus_angle?, &**domain, &state.scratch.flow, terrain.elevation())
     }
 
     fn finish(&self, terrain: &mut T, state: &mut Self::State, _: &Environment) -> Result<()> {

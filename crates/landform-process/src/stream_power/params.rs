@@ -4,12 +4,13 @@ use landform_core::algo::flow::Descent;
 use landform_core::units::{
     Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension, RatioDimension,
 };
-use landform_core::verb::{Changing, Environment, Outlets, Params, Source, Varying};
+use landform_core::verb::{Changing, Environment, Estimate, Outlets, Params, Source, Varying};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::law::Law;
+use super::talus;
 use crate::mechanism::Lattice;
 
 /// Slope that ground approaches and does not exceed, where none is given.
@@ -172,6 +173,10 @@ impl Params for StreamPower {
 
     fn jitters(&self) -> bool {
         self.lattice == Lattice::Jittered
+    }
+
+    fn warning(&self, before: &Estimate, raised: f64) -> Option<String> {
+        talus::warning(self, before, raised)
     }
 
     fn check(&self) -> Result<()> {
