@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Result};
+use crate::{Error, Result, parallel};
 
 /// The name of a field with its type, unit and meaning: a misspelt field is a compile error.
 #[derive(Debug)]
@@ -182,6 +182,26 @@ impl Fields {
         }
         self.all.insert(name.into(), values);
         Ok(())
+    }
+
+    /// Adds to a field node by node; one that was not there begins with zeros.
+    ///
+    /// ```
+    /// use landform_core::field::{Fields, names};
+    ///
+    /// let mut fields = Fields::sized(2);
+    /// fields.add(&names::INCISION, |i| i as f64);
+    /// fields.add(&names::INCISION, |_| 5.0);
+    /// assert_eq!(fields.get(&names::INCISION, "a map")?, [5.0, 6.0]);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn add(&mut self, key: &Key<f64>, more: impl Fn(usize) -> f64 + Sync) {
+        let nodes = self.nodes;
+        let values = self.all.entry(key.name.into()).or_insert_with(|| Values::F64(vec![0.0; nodes]));
+        match f64::of_mut(values) {
+            Some(sums) => parallel::update(sums, |i, sum| *sum += more(i)),
+            None => *values = Values::F64(parallel::map(nodes, more)),
+        }
     }
 
     /// Takes a field out.

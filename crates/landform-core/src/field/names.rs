@@ -29,6 +29,34 @@ pub const EROSION_RATE: Key<f64> = Key::new(
     "m/s",
     "rate at which rivers and slopes lowered the ground in the last step; negative where they laid down",
 );
+/// Ground that running water laid down.
+///
+/// ```
+/// assert_eq!(landform_core::field::names::DEPOSITION.unit, "m");
+/// ```
+pub const DEPOSITION: Key<f64> = Key::new(
+    "deposition",
+    "m",
+    "height that running water raised the ground by, summed over all steps; what it took again counts as laid down",
+);
+/// Ground that running water took.
+///
+/// ```
+/// assert_eq!(landform_core::field::names::INCISION.unit, "m");
+/// ```
+pub const INCISION: Key<f64> = Key::new(
+    "incision",
+    "m",
+    "height that running water and slopes that fall into it lowered the ground by, summed over all steps",
+);
+/// Fields that are sums over the steps of all runs.
+///
+/// ```
+/// use landform_core::field::names;
+///
+/// assert!(names::SUMS.iter().all(|key| key.unit == "m"));
+/// ```
+pub const SUMS: [&Key<f64>; 2] = [&DEPOSITION, &INCISION];
 /// Rainfall.
 pub const RAINFALL: Key<f64> = Key::new("rainfall", "m/s", "rainfall");
 /// Slope of the ground.
@@ -120,6 +148,8 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (CHANNEL_SLOPE.name, CHANNEL_SLOPE.unit, CHANNEL_SLOPE.meaning),
     (CHI.name, CHI.unit, CHI.meaning),
     (EROSION_RATE.name, EROSION_RATE.unit, EROSION_RATE.meaning),
+    (DEPOSITION.name, DEPOSITION.unit, DEPOSITION.meaning),
+    (INCISION.name, INCISION.unit, INCISION.meaning),
     (RAINFALL.name, RAINFALL.unit, RAINFALL.meaning),
     (SLOPE.name, SLOPE.unit, SLOPE.meaning),
     (ASPECT.name, ASPECT.unit, ASPECT.meaning),

@@ -20,6 +20,7 @@ mod output;
 mod params;
 mod reach;
 mod role;
+mod spans;
 mod varying;
 mod wind;
 
@@ -43,6 +44,7 @@ pub use output::{MemoryOutput, Output, check_path, file_path, relative_path};
 pub use params::{Params, Source, properties, schema_of, validate_ranges};
 pub use reach::{Margin, Reach, Window};
 pub use role::{Role, coarser};
+pub use spans::{LengthSpan, SlopeSpan};
 pub use varying::{Lookup, Resolved, Varying};
 pub use wind::{Rose, Wind};
 

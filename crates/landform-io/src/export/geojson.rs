@@ -26,6 +26,7 @@ pub(super) fn json_of(feature: &Feature, place: &impl NodeSurface) -> Json {
 fn in_metres(feature: &Feature) -> Json {
     let (geometry, coordinates) = match &feature.geometry {
         Geometry::Point(p) => ("Point", json!(p)),
+        Geometry::Points(points) => ("MultiPoint", json!(points)),
         Geometry::Line(line) => ("LineString", json!(line)),
         Geometry::FlatLine(line) => ("LineString", json!(line)),
         Geometry::Area(parts) if parts.len() == 1 && feature.kind == FeatureKind::Lake => ("Polygon", json!(parts[0])),

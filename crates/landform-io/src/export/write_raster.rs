@@ -96,6 +96,7 @@ impl Export<HeightField> for WriteRaster {
             legend,
             seed: landscape.seed,
             geotiff: GeotiffOptions { data_type, compression: self.compression, tile },
+            spread: None,
         };
         // What is not asked for as 32-bit floats is not blurred by them.
         let is_fine = samples == Samples::Real && has_float64(&self.path) && file.needs_float64(SEEN);

@@ -1,5 +1,6 @@
 //! Cover of the ground: sand, snow, and beds of rock.
 
+use landform_core::feature::{Feature, FeatureKind, Geometry, Property, near};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{math, parallel};
 
@@ -12,6 +13,9 @@ pub(super) struct Cover {
     snow: Vec<f64>,
     /// Colour of the rock and how much of it shows through what lies on it, where rock is bedded.
     rock: Vec<(u32, f64)>,
+    /// Colour and share of roads and of objects that stand on the ground; empty where there are
+    /// none.
+    laid: Vec<(Rgb, f64)>,
     cell: f64,
 }
 
@@ -79,12 +83,55 @@ fn bare_rock(field: &HeightField) -> Vec<(u32, f64)> {
     })
 }
 
+const ROAD: u32 = 0xa89f90;
+const TREES: u32 = 0x35432a;
+const STONES: u32 = 0x8d8881;
+/// Area that a crown covers, in squares of the least distance between trees.
+const CROWN: f64 = 1.2;
+
+/// Roads, and what stands on the ground: colour and share of every node.
+fn laid(field: &HeightField) -> Vec<(Rgb, f64)> {
+    let (grid, features) = (field.grid(), field.features());
+    let has = |kind| features.of(kind).next().is_some();
+    if !(has(FeatureKind::Path) || has(FeatureKind::Object)) {
+        return Vec::new();
+    }
+    let number = |feature: &Feature, name: &str| match feature.property(name) {
+        Some(Property::Number(v)) => *v,
+        _ => 0.0,
+    };
+    let mut laid = vec![(hex(TREES), 0.0); grid.len()];
+    for feature in features.of(FeatureKind::Object) {
+        let Geometry::Points(points) = &feature.geometry else { continue };
+        let is_stone = ["rock", "stone", "boulder"].iter().any(|word| feature.id.contains(word));
+        let spacing = number(feature, "spacing_m");
+        let (colour, part) = (hex(if is_stone { STONES } else { TREES }), CROWN * spacing * spacing / grid.cell_area());
+        for node in points.iter().filter_map(|p| grid.node_at([p[0], p[1]])) {
+            let (over, share) = &mut laid[node];
+            (*over, *share) = (colour, (*share + part).min(0.9));
+        }
+    }
+    let places: Vec<[f64; 2]> = (0..grid.len()).map(|i| grid.position(i)).collect();
+    for road in features.of(FeatureKind::Path) {
+        let half = 0.5 * number(road, "width_m").max(grid.spacing[0].max(grid.spacing[1]));
+        let on = near(std::iter::once(road), half, &places);
+        laid.iter_mut().zip(on).filter(|(_, on)| *on).for_each(|(laid, _)| *laid = (hex(ROAD), 0.9));
+    }
+    laid
+}
+
 impl Cover {
     /// The cover of a raster.
     pub(super) fn of(field: &HeightField) -> Self {
         let depth = |material: &str| field.depth(material).map(<[f64]>::to_vec).unwrap_or_default();
         let [dx, dy] = field.grid().spacing;
-        Self { sand: depth("sand"), snow: depth("snow"), rock: bare_rock(field), cell: dx.min(dy) }
+        let (sand, snow, rock) = (depth("sand"), depth("snow"), bare_rock(field));
+        Self { sand, snow, rock, laid: laid(field), cell: dx.min(dy) }
+    }
+
+    /// Whether it is known where trees stand.
+    pub(super) fn has_objects(&self) -> bool {
+        !self.laid.is_empty()
     }
 
     /// Whether the ground is a desert, where no water stands or runs.
@@ -120,6 +167,9 @@ impl Cover {
         }
         if !self.snow.is_empty() {
             colour = mix(colour, hex(SNOW), self.snow(i));
+        }
+        if let Some(&(over, share)) = self.laid.get(i) {
+            colour = mix(colour, over, share);
         }
         colour
     }

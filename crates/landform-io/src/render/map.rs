@@ -10,7 +10,8 @@ use super::colour::{Rgb, blend, hex, mix, scale, sea, to_srgb};
 use super::cover::Cover;
 use super::label::short;
 use super::light::sky_view;
-use super::{Picture, Ramp, waters};
+use super::perspective::ground_colours;
+use super::{Picture, Ramp, Waters, waters};
 
 /// How a map is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -83,6 +84,22 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
         colour
     });
     Ok(paint(grid.shape, &colours, style.size))
+}
+
+/// The colours of the ground from above, without light and shadow, with rivers, lakes and the sea.
+pub(crate) fn colour_map(field: &HeightField, size: usize, sea_level: Option<f64>) -> Picture {
+    let (lo, _) = range(field.elevation());
+    let Waters { lake, river } = waters(field);
+    let mut colours = ground_colours(field, river, sea_level.unwrap_or(lo.min(0.0)));
+    let z = field.elevation();
+    parallel::update(&mut colours, |i, colour| {
+        if z[i].is_nan() {
+            *colour = hex(NOTHING);
+        } else if sea_level.is_some_and(|sea| z[i] < sea) || lake[i] > 0.0 {
+            *colour = hex(DEEP);
+        }
+    });
+    paint(field.grid().shape, &colours, size)
 }
 
 /// Any field in a colour ramp over faint relief. On a logarithmic ramp zeros have the lowest

@@ -32,8 +32,8 @@ use serde::{Deserialize, Serialize};
 pub use colour::Ramp;
 pub(crate) use cutaway::{CutawayView, cutaway};
 pub use drawing::{Waters, waters};
-pub(crate) use map::field_map_with_legend;
 pub use map::{MapStyle, difference_map, field_map, shaded_map, value_picture};
+pub(crate) use map::{colour_map, field_map_with_legend};
 pub(crate) use perspective::BlockView;
 pub use perspective::{Standpoint, View, perspective};
 

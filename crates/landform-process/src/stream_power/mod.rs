@@ -101,7 +101,7 @@ use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step,
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::{write_channel_steepness_fields, write_drainage_fields};
+use crate::mechanism::{add_to_sums, begin_sums, write_channel_steepness_fields, write_drainage_fields};
 use braun_willett_2013::sweep;
 pub use params::StreamPower;
 
@@ -170,8 +170,10 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         "basin",
         "channel_slope",
         "chi",
+        "deposition",
         "drainage_area",
         "erosion_rate",
+        "incision",
         "lake_depth",
         "rainfall",
         "receiver",
@@ -206,6 +208,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             }
             None => None,
         };
+        begin_sums(terrain)?;
         Ok(State {
             erodibility,
             weakness,
@@ -298,6 +301,8 @@ impl<T: NodeSurface> Process<T> for StreamPower {
                 change
             }
         };
+        let lowered = &state.scratch.amount;
+        add_to_sums(terrain, |i| lowered[i]);
         state.sea_level = sea.unwrap_or(0.0);
         Ok(change)
     }

@@ -1,0 +1,29 @@
+//! What running water took and laid down, summed over steps.
+
+use landform_core::Result;
+use landform_core::field::names;
+use landform_core::parallel;
+use landform_core::terrain::NodeSurface;
+
+/// Begins the sums of deposition and incision where there are none yet; those of an earlier run go
+/// on.
+///
+/// # Errors
+/// Where [`landform_core::field::Fields::insert`] fails.
+pub fn begin_sums<T: NodeSurface>(terrain: &mut T) -> Result<()> {
+    for key in names::SUMS {
+        if terrain.fields().get(key, "").is_err() {
+            let z = terrain.elevation();
+            let zeros = parallel::map(z.len(), |i| if z[i].is_nan() { f64::NAN } else { 0.0 });
+            terrain.fields_mut().insert(key, zeros)?;
+        }
+    }
+    Ok(())
+}
+
+/// Adds to them how far each node was lowered in a step, m; negative where it was raised.
+pub fn add_to_sums<T: NodeSurface>(terrain: &mut T, lowered: impl Fn(usize) -> f64 + Sync) {
+    let fields = terrain.fields_mut();
+    fields.add(&names::INCISION, |i| lowered(i).max(0.0));
+    fields.add(&names::DEPOSITION, |i| (-lowered(i)).max(0.0));
+}
