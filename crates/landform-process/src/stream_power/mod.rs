@@ -302,7 +302,11 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             }
         };
         let lowered = &state.scratch.amount;
-        add_to_sums(terrain, |i| lowered[i]);
+        if self.deposition > 0.0 {
+            add_to_sums(terrain, |i| lowered[i]);
+        } else {
+            terrain.fields_mut().add(&names::INCISION, |i| lowered[i]);
+        }
         state.sea_level = sea.unwrap_or(0.0);
         Ok(change)
     }
