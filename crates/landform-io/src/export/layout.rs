@@ -26,6 +26,9 @@ pub(super) const MOST_TILES: usize = 64;
 /// How many times as dense as the largest raster ground may be before it is refused.
 const TOO_DENSE: f64 = 1.1;
 
+/// Names a tile by its column and row from the north-west, and the numbers of columns and rows.
+pub(super) type TileName = fn([usize; 2], [usize; 2]) -> String;
+
 /// Ground on an engine's raster.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use landform_core::grid::Shape;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, VoxelGrid, nothing_solid};
 use landform_core::units::Length;
 use landform_core::verb::{Environment, Export, Landscape, Output, Params, Reach, Source, file_path};
@@ -75,7 +76,8 @@ pub struct WriteMesh {
     /// Rasters in glb only: whether the ground's colours lie on it as a picture, without light and
     /// shadow: what grows there, rock, sand and snow, rivers, lakes and roads.
     pub texture: bool,
-    /// Longer side of that picture, pixels. If not given, it has a pixel a node, and 4096 at most.
+    /// Longer side of that picture, pixels. If not given, each side has the power of two that is
+    /// nearest to the number of nodes, and 4096 at most.
     #[schemars(extend("x-min" = 16, "x-max" = 16_384))]
     pub texture_size: Option<usize>,
 }
@@ -129,6 +131,12 @@ impl Params for WriteMesh {
     }
 }
 
+/// The power of two nearest to a number by its ratio.
+fn power_of_two(n: usize) -> usize {
+    let above = n.next_power_of_two();
+    if above > 1 && n * n < above * (above / 2) { above / 2 } else { above }
+}
+
 impl WriteMesh {
     /// Refuses colours for what is no raster.
     fn check_no_texture(&self, on: &str) -> Result<()> {
@@ -142,8 +150,12 @@ impl WriteMesh {
     /// The ground's colours on a mesh of all nodes of a raster that have data, in their order.
     fn texture(&self, field: &HeightField, environment: &Environment) -> Result<Texture> {
         let shape = field.grid().shape;
-        let size = self.texture_size.unwrap_or(shape.rows.max(shape.cols).min(MOST_PIXELS));
-        let picture = colour_map(field, size, environment.sea(None));
+        let longer = shape.rows.max(shape.cols);
+        let pixels = |n: usize| match self.texture_size {
+            Some(size) => ((size * n) as f64 / longer as f64).round().max(1.0) as usize,
+            None => power_of_two(n).min(MOST_PIXELS),
+        };
+        let picture = colour_map(field, Shape::new(pixels(shape.rows), pixels(shape.cols)), environment.sea(None));
         // Pixels stand over nodes: the outer ones reach half a cell beyond.
         let place = |i: usize| {
             let cell = shape.cell(i);
@@ -254,7 +266,7 @@ impl Export<HeightField> for WriteMesh {
 
 #[cfg(test)]
 mod tests {
-    use landform_core::grid::{Grid, Shape};
+    use landform_core::grid::Grid;
     use landform_core::verb::MemoryOutput;
     use serde_json::Value;
 
@@ -307,7 +319,7 @@ mod tests {
             let image = &json["images"][json["textures"][0]["source"].as_u64().unwrap() as usize];
             let png = view(image["bufferView"].as_u64().unwrap());
             let info = png::Decoder::new(std::io::Cursor::new(png)).read_info().unwrap();
-            assert_eq!((info.info().width, info.info().height), (40, 24));
+            assert_eq!((info.info().width, info.info().height), (32, 32));
             assert_eq!(json["buffers"][0]["byteLength"].as_u64(), Some(data.len() as u64));
             let again = WriteMesh { path: "again.glb".into(), ..mesh };
             again.export(&Landscape::plain(&field), &mut out).unwrap();

@@ -87,7 +87,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
 }
 
 /// The colours of the ground from above, without light and shadow, with rivers, lakes and the sea.
-pub(crate) fn colour_map(field: &HeightField, size: usize, sea_level: Option<f64>) -> Picture {
+pub(crate) fn colour_map(field: &HeightField, target: Shape, sea_level: Option<f64>) -> Picture {
     let (lo, _) = range(field.elevation());
     let Waters { lake, river } = waters(field);
     let mut colours = ground_colours(field, river, sea_level.unwrap_or(lo.min(0.0)));
@@ -99,7 +99,9 @@ pub(crate) fn colour_map(field: &HeightField, size: usize, sea_level: Option<f64
             *colour = hex(DEEP);
         }
     });
-    paint(field.grid().shape, &colours, size)
+    let shape = field.grid().shape;
+    let zoom = [target.rows as f64 / shape.rows as f64, target.cols as f64 / shape.cols as f64];
+    stretched(shape, &colours, target, zoom)
 }
 
 /// Any field in a colour ramp over faint relief. On a logarithmic ramp zeros have the lowest
@@ -218,7 +220,12 @@ fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
     let zoom = size.max(1) as f64 / longer;
     let pixels_of = |n: usize| ((n as f64 * zoom).round() as usize).max(1);
     let target = Shape::new(pixels_of(shape.rows), pixels_of(shape.cols));
-    let taps = (1.0 / zoom).ceil().clamp(1.0, 16.0) as usize;
+    stretched(shape, colours, target, [zoom; 2])
+}
+
+/// Node colours as a picture with `zoom` pixels a row and a column.
+fn stretched(shape: Shape, colours: &[Rgb], target: Shape, zoom: [f64; 2]) -> Picture {
+    let taps = zoom.map(|zoom| (1.0 / zoom).ceil().clamp(1.0, 16.0) as usize);
     let at = |r: f64, c: f64| {
         let (r, c) = (r.clamp(0.0, (shape.rows - 1) as f64), c.clamp(0.0, (shape.cols - 1) as f64));
         let (r0, c0) = (r as usize, c as usize);
@@ -230,14 +237,15 @@ fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
     let pixels = parallel::map(target.len(), |i| {
         let pixel = target.cell(i);
         let mut sum = [0.0; 3];
-        for a in 0..taps {
-            for b in 0..taps {
-                let part = |k: usize, tap: usize| (k as f64 + (tap as f64 + 0.5) / taps as f64) / zoom - 0.5;
-                let colour = at(part(pixel.row, a), part(pixel.col, b));
+        for a in 0..taps[0] {
+            for b in 0..taps[1] {
+                let part =
+                    |n: usize, tap: usize, k: usize| (n as f64 + (tap as f64 + 0.5) / taps[k] as f64) / zoom[k] - 0.5;
+                let colour = at(part(pixel.row, a, 0), part(pixel.col, b, 1));
                 sum = [0, 1, 2].map(|k| sum[k] + colour[k]);
             }
         }
-        to_srgb(scale(sum, 1.0 / (taps * taps) as f64))
+        to_srgb(scale(sum, 1.0 / (taps[0] * taps[1]) as f64))
     });
     Picture { shape: target, pixels }
 }

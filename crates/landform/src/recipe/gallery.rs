@@ -49,6 +49,7 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Landscapes", "cuestas", "70_cuestas.toml"),
     recipe!("Landscapes", "folded_and_faulted", "84_folded_and_faulted.toml"),
     recipe!("Landscapes", "volcanic_plateau", "85_volcanic_plateau.toml"),
+    recipe!("Landscapes", "a_landscape_for_a_game", "93_a_landscape_for_a_game.toml"),
     recipe!("Landscapes", "star_dunes", "42_star_dunes.toml"),
     recipe!("Landscapes", "snow", "45_snow.toml"),
     recipe!("Landscapes", "confluence", "66_confluence.toml"),

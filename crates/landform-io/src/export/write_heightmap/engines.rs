@@ -9,7 +9,7 @@ use landform_core::Result;
 use landform_core::terrain::NodeSurface;
 
 use super::{Heights, Preset};
-use crate::export::layout::{self, Layout, Sizes};
+use crate::export::layout::{self, Layout, Sizes, TileName};
 use crate::format::{STEPS, Sidecar, mesh_file_from_height_field, mesh_format, quantize, raster_format, write_exr_rgb};
 
 /// An engine.
@@ -22,9 +22,8 @@ pub(super) struct Engine {
     pub(super) extensions: &'static [&'static str],
     /// Sizes that it takes.
     pub(super) sizes: Sizes,
-    /// The name of a tile: its column and row from the north-west, and how many there are; none if
-    /// it takes no tiles.
-    pub(super) tile: Option<fn([usize; 2], [usize; 2]) -> String>,
+    /// Names of tiles; none if it takes no tiles.
+    pub(super) tile: Option<TileName>,
     /// The file.
     pub(super) write: fn(&Heights) -> Result<Vec<u8>>,
     /// The numbers to type, and where.

@@ -6,7 +6,7 @@ use landform_core::Result;
 use landform_core::grid::Shape;
 
 use super::{WeightLayer, WeightPreset, WriteWeights};
-use crate::export::layout::{self, Layout, Sizes};
+use crate::export::layout::{self, Layout, Sizes, TileName};
 use crate::format::{encode_bytes, encode_rgba, write_exr_words};
 
 /// Weights of each layer, nodes without data, and the shape of a tile; the bytes of each file.
@@ -19,7 +19,7 @@ pub(super) struct Engine {
     pub(super) sizes: Sizes,
     /// Whether a texel stands over a cell between nodes, rather than at a node.
     pub(super) over_cells: bool,
-    pub(super) tile: fn([usize; 2], [usize; 2]) -> String,
+    pub(super) tile: TileName,
     /// Names of the files of a tile.
     pub(super) files: fn(&[WeightLayer], &str) -> Vec<String>,
     pub(super) write: WriteFiles,
