@@ -18,7 +18,7 @@ use super::Dry;
 /// Steps of at most so many places along an axis, in all directions that no shorter step has.
 const REACH: i64 = 4;
 /// Places along the longer side of the lattice.
-const PLACES: i64 = 256;
+const PLACES: i64 = 128;
 /// What a metre over water costs more.
 const BRIDGE: f64 = 12.0;
 /// The most that a metre costs for being steep.
@@ -148,6 +148,8 @@ impl<'a> Search<'a> {
         let count = (self.size[0] * self.size[1]) as usize * ways;
         let (mut cost, mut from) = (vec![f64::INFINITY; count], vec![u32::MAX; count]);
         let mut done = vec![false; count];
+        // A step costs the same in whatever direction its place was reached: NaN until it is known.
+        let mut steps = vec![f64::NAN; count];
         let (start, goal) = (self.place(self.from)?, self.place(self.to)?);
         if start == goal {
             return Some(vec![self.position(start), self.position(goal)]);
@@ -176,8 +178,11 @@ impl<'a> Search<'a> {
                 if cost[state] + bend + stride.length >= cost[next] {
                     continue;
                 }
-                let Some(more) = self.cost(at, stride) else { continue };
-                let all = cost[state] + bend + more;
+                let step = &mut steps[place * ways + new];
+                if step.is_nan() {
+                    *step = self.cost(at, stride).unwrap_or(f64::INFINITY);
+                }
+                let all = cost[state] + bend + *step;
                 if all < cost[next] {
                     (cost[next], from[next]) = (all, state as u32);
                     // Costs are not negative, so that their bits are in their order.
