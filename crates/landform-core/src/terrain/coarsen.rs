@@ -107,7 +107,7 @@ fn add_change<T: NodeSurface>(terrain: &mut T, [before, after]: [&T; 2], spread:
         let Ok(new) = after.fields().get(key, "") else { continue };
         let old = before.fields().get(key, "").ok();
         let more = spread(&parallel::map(new.len(), |i| or_none(new[i] - old.map_or(0.0, |old| old[i]))));
-        terrain.fields_mut().add(key, |i| more[i]);
+        terrain.fields_mut().add(key, &more);
     }
 }
 

@@ -8,6 +8,8 @@
 use landform_core::grid::{Grid, Shape};
 use landform_core::{Error, Result, math};
 
+use crate::memory;
+
 /// Sizes that an engine takes.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sizes {
@@ -71,8 +73,28 @@ impl Sizes {
     /// and east.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for ground that is much denser than the engine's largest raster.
-    pub(super) fn layout(self, word: &str, own: &Grid, size: Option<usize>, tiles: [usize; 2]) -> Result<Layout> {
+    /// [`Error::Parameter`] for ground that is much denser than the engine's largest raster;
+    /// [`Error::Memory`] if the raster, at `bytes` a node, takes more than there is.
+    pub(super) fn layout(
+        self,
+        word: &str,
+        own: &Grid,
+        size: Option<usize>,
+        tiles: [usize; 2],
+        bytes: u64,
+    ) -> Result<Layout> {
+        let layout = self.layout_of(word, own, size, tiles)?;
+        let Shape { rows, cols } = layout.whole.shape;
+        let needed = (rows as u64).saturating_mul(cols as u64).saturating_mul(bytes);
+        match memory::available() {
+            Some(available) if needed > available => {
+                Err(Error::Memory { what: format!("a raster of {cols} x {rows} nodes"), needed, available })
+            }
+            _ => Ok(layout),
+        }
+    }
+
+    fn layout_of(self, word: &str, own: &Grid, size: Option<usize>, tiles: [usize; 2]) -> Result<Layout> {
         let nodes = [own.shape.cols, own.shape.rows];
         if let (Self::AnySquareCells, [1, 1]) = (self, tiles) {
             let whole = square_cells(own, size)?;
@@ -229,20 +251,23 @@ mod tests {
             (8193, [1, 1], 8129),
             (8193, [2, 2], 4033),
         ] {
-            let layout = UNREAL.layout("unreal", &grid(own), None, tiles).unwrap();
+            let layout = UNREAL.layout("unreal", &grid(own), None, tiles, 80).unwrap();
             assert_eq!(layout.tile.rows, side, "{own} {tiles:?}");
             assert_eq!(layout.whole.shape.rows, tiles[1] * (side - 1) + 1);
             let [a, b] = [layout.whole.extent()[0], grid(own).extent()[0]];
             assert!((a / b - 1.0).abs() < 1e-12);
         }
-        assert!(UNREAL.layout("unreal", &grid(12_000), None, [1, 1]).is_err());
-        let regions = Sizes::AnySquareCells.layout("godot", &grid(1001), None, [2, 2]).unwrap();
+        assert!(UNREAL.layout("unreal", &grid(12_000), None, [1, 1], 80).is_err());
+        // 56,897 nodes a side take terabytes at a kilobyte a node.
+        let vast = UNREAL.layout("unreal", &grid(65), Some(8129), [7, 7], 1 << 10);
+        assert!(matches!(vast, Err(Error::Memory { .. })), "{vast:?}");
+        let regions = Sizes::AnySquareCells.layout("godot", &grid(1001), None, [2, 2], 80).unwrap();
         assert_eq!((regions.tile.rows, regions.whole.shape.rows), (512, 1024));
     }
 
     #[test]
     fn tiles_cover_the_whole_and_share_what_the_engine_shares() {
-        let layout = UNITY.layout("unity", &grid(65), None, [2, 2]).unwrap();
+        let layout = UNITY.layout("unity", &grid(65), None, [2, 2], 80).unwrap();
         let tiles: Vec<Grid> = layout.places().map(|at| layout.tile_grid(at).unwrap()).collect();
         assert_eq!(tiles[0].x(32), tiles[1].x(0));
         assert_eq!(tiles[0].y(32), tiles[2].y(0));

@@ -230,7 +230,7 @@ impl Process<HeightField> for ChannelErosion {
         terrain.change(Layer::Surface("sediment"), |z| {
             parallel::update(z, |i, z| *z = if status[i] != Status::Masked { new[i] } else { *z });
         });
-        add_to_sums(terrain, |i| lowered[i]);
+        add_to_sums(terrain, &lowered);
         if raised != 0.0 {
             terrain
                 .change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += if is_inner(i) { raised } else { 0.0 }));

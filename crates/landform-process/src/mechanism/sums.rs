@@ -22,8 +22,12 @@ pub fn begin_sums<T: NodeSurface>(terrain: &mut T) -> Result<()> {
 }
 
 /// Adds to them how far each node was lowered in a step, m; negative where it was raised.
-pub fn add_to_sums<T: NodeSurface>(terrain: &mut T, lowered: impl Fn(usize) -> f64 + Sync) {
-    let fields = terrain.fields_mut();
-    fields.add(&names::INCISION, |i| lowered(i).max(0.0));
-    fields.add(&names::DEPOSITION, |i| (-lowered(i)).max(0.0));
+pub fn add_to_sums<T: NodeSurface>(terrain: &mut T, lowered: &[f64]) {
+    terrain.fields_mut().add_parts(&names::INCISION, &names::DEPOSITION, lowered);
+}
+
+/// As [`add_to_sums`], where no node was raised.
+pub fn add_to_incision<T: NodeSurface>(terrain: &mut T, lowered: &[f64]) {
+    debug_assert!(lowered.iter().all(|by| !(*by < 0.0)));
+    terrain.fields_mut().add(&names::INCISION, lowered);
 }

@@ -101,7 +101,9 @@ use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step,
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::{add_to_sums, begin_sums, write_channel_steepness_fields, write_drainage_fields};
+use crate::mechanism::{
+    add_to_incision, add_to_sums, begin_sums, write_channel_steepness_fields, write_drainage_fields,
+};
 use braun_willett_2013::sweep;
 pub use params::StreamPower;
 
@@ -303,9 +305,9 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         };
         let lowered = &state.scratch.amount;
         if self.deposition > 0.0 {
-            add_to_sums(terrain, |i| lowered[i]);
+            add_to_sums(terrain, lowered)
         } else {
-            terrain.fields_mut().add(&names::INCISION, |i| lowered[i]);
+            add_to_incision(terrain, lowered)
         }
         state.sea_level = sea.unwrap_or(0.0);
         Ok(change)

@@ -64,7 +64,7 @@ impl Params for WriteHeightmap {
     const SOURCES: &'static [Source] = &[];
 
     fn bytes_a_node(&self) -> Option<u64> {
-        Some(56)
+        Some(BYTES_A_NODE)
     }
 
     fn reach(&self) -> Reach {
@@ -141,6 +141,8 @@ impl Heights<'_> {
     }
 }
 
+/// Bytes a node of the engine's raster, as measured.
+const BYTES_A_NODE: u64 = 56;
 /// Relief below this counts as level ground, m.
 const FLAT: f64 = 1e-3;
 
@@ -156,7 +158,7 @@ impl WriteHeightmap {
     fn heights<'a>(&'a self, landscape: &Landscape<'a, HeightField>) -> Result<Heights<'a>> {
         let source = landscape.terrain;
         let engine = self.engine();
-        let layout = engine.sizes.layout(engine.word, source.grid(), self.size, self.tiles)?;
+        let layout = engine.sizes.layout(engine.word, source.grid(), self.size, self.tiles, BYTES_A_NODE)?;
         let grid = layout.whole.clone();
         let from = [source.grid().shape.cols, source.grid().shape.rows];
         let mut field =

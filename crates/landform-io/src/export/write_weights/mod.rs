@@ -239,7 +239,8 @@ impl WriteWeights {
 impl Export<HeightField> for WriteWeights {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
         let (engine, source) = (self.engine(), landscape.terrain);
-        let layout = engine.sizes.layout(engine.word, source.grid(), self.size, self.tiles)?;
+        let bytes = self.bytes_a_node().unwrap_or_default();
+        let layout = engine.sizes.layout(engine.word, source.grid(), self.size, self.tiles, bytes)?;
         let layout = if engine.over_cells { over_cells(&layout)? } else { layout };
         let ground = if layout.whole == *source.grid() {
             std::borrow::Cow::Borrowed(source)
