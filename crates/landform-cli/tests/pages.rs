@@ -47,7 +47,14 @@ fn follow(page: &str, files: &[&str]) {
 fn a_world_builder_gets_what_the_page_promises() {
     let weights = ["rock.png", "sediment.png", "grass.png", "weights.md"].map(|file| format!("out/weights/{file}"));
     let mut files: Vec<&str> = weights.iter().map(String::as_str).collect();
-    files.extend(["seeds.png", "seeds.csv", "out/height.png", "out/height.png.md", "out/trees.csv", "out/trees.csv.md"]);
+    files.extend([
+        "seeds.png",
+        "seeds.csv",
+        "out/height.png",
+        "out/height.png.md",
+        "out/trees.csv",
+        "out/trees.csv.md",
+    ]);
     files.extend(["out/splines.json", "out/splines.json.md", "out/land.glb", "out/valley.png", "steeper/land.glb"]);
     follow("world_builders.md", &files);
 }

@@ -13,7 +13,7 @@
 //! assert_eq!(math::lerp(10.0, 30.0, 0.25), 15.0);
 //! ```
 
-pub use libm::{acos, asin, atan, atan2, cbrt, ceil, cos, exp, floor, hypot, log, log2, log10, sin, tan};
+pub use libm::{acos, asin, atan, atan2, atanh, cbrt, ceil, cos, exp, floor, hypot, log, log2, log10, sin, tan, tanh};
 
 /// `x` to the power `p`, by the exact path for the exponents that landscapes use most (0, ½, 1, 2).
 #[inline]

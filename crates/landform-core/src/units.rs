@@ -93,6 +93,8 @@ dimension!(/// Angle, in radians; written in degrees.
     AngleDimension, Angle, "angle", 0, 0, "deg", std::f64::consts::PI / 180.0, false, "35 deg");
 dimension!(/// Discharge of a spring or a river, in m³/s.
     DischargeDimension, Discharge, "discharge", 3, -1, "m3/s", 1.0, true, "2 m3/s");
+dimension!(/// Attenuation: the part by which light or waves lose strength over a length, in 1/m.
+    AttenuationDimension, Attenuation, "attenuation", -1, 0, "1/m", 1.0, true, "0.1 1/m");
 dimension!(/// A plain number.
     RatioDimension, Ratio, "number", 0, 0, "1", 1.0, true, "0.5");
 

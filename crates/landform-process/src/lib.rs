@@ -15,6 +15,7 @@ pub mod generate;
 pub mod hillslope;
 pub mod karst;
 pub mod mechanism;
+pub mod reef;
 pub mod snow;
 pub mod stream_power;
 pub mod streams;
@@ -33,6 +34,7 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     coast::STAGES,
     dune::STAGES,
     snow::STAGES,
+    reef::STAGES,
     streams::STAGES,
     automaton::STAGES,
     basin::STAGES,

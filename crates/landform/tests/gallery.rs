@@ -284,6 +284,9 @@ const SMALL: &[(&str, &[&str])] = &[
             "write_picture.size=160",
         ],
     ),
+    ("coral_island", &["coral_island.grid.cell_size=140 m", "evolve.clock.dt=10 kyr", "write_picture.size=160"]),
+    ("raised_terraces", &["coral_island.grid.cell_size=120 m", "evolve.clock.dt=5 kyr", "write_picture.size=160"]),
+    ("guyot", &["coral_island.grid.cell_size=140 m", "evolve.clock.dt=10 kyr", "write_picture.size=160"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]

@@ -65,6 +65,31 @@ fn classes_are_written_as_bytes_with_their_legend() {
 }
 
 #[test]
+fn parts_of_a_coral_coast_are_written_as_bytes_with_their_legend() {
+    let text = "[[stage]]\nuse = \"coral_island\"\ngrid = { size = [\"6 km\", \"6 km\"], cell_size = \"100 m\" }\n\
+                outline = { radius = \"1.6 km\", roughness = 0.15 }\n\
+                profile = [ [\"0 m\", \"600 m\"], [\"900 m\", \"180 m\"], [\"1600 m\", \"0 m\"], [\"2600 m\", \"-900 m\"] ]\n\
+                [[stage]]\nuse = \"evolve\"\nclock = { dt = \"10 kyr\", duration = \"500 kyr\" }\nprocess = [\n\
+                { use = \"uplift\", rate = \"-0.4 mm/yr\" },\n\
+                { use = \"stream_power\", erodibility = \"1e-7 1/yr\", outlets = \"sea\" },\n\
+                { use = \"reef_growth\", max_rate = \"12 mm/yr\", light = 2000, saturation = 250, extinction = \"0.1 1/m\" } ]\n\
+                [[stage]]\nuse = \"write_raster\"\nfield = \"labels\"\npath = \"labels.png\"\n";
+    let (terrain, out) = run(text);
+    assert_eq!(out.0["labels.png"][24..26], [8, 0]);
+    let sidecar: serde_json::Value = serde_json::from_slice(&out.0["labels.png.landform.json"]).unwrap();
+    assert_eq!(
+        (&sidecar["legend"]["4"], &sidecar["legend"]["6"]),
+        (&"lagoon".into(), &"reef crest".into()),
+        "{sidecar}"
+    );
+    let field = terrain.get::<landform::core::terrain::HeightField>("test").unwrap();
+    let labels = field.named("labels", "test").unwrap().to_f64();
+    for part in [1.0, 4.0, 6.0, 7.0, 8.0] {
+        assert!(labels.iter().filter(|l| **l == part).count() > 10, "{part}");
+    }
+}
+
+#[test]
 fn old_words_are_read_with_a_note() {
     let old =
         format!("{NOISE}[[stage]]\nuse = \"threshold_erosion\"\nperturbations = 2\nshaken = 0.2\nhollows = \"end\"\n");

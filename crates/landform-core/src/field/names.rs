@@ -98,6 +98,18 @@ pub const DEPTH_SUFFIX: &str = "_depth";
 /// The material at the surface.
 pub const SURFACE_MATERIAL: Key<u8> =
     Key::new("surface_material", "1", "number of the material at the surface, as the legend beside the file tells");
+/// Parts of a coast with reefs, as classes of [`COAST_LABELS`].
+pub const LABELS: Key<u8> =
+    Key::new("labels", "1", "part of the coast that the place belongs to, as the legend beside the file tells");
+/// Names of the classes of [`LABELS`], by their number; 0 is nodata.
+///
+/// ```
+/// use landform_core::field::names::COAST_LABELS;
+///
+/// assert_eq!((COAST_LABELS[1], COAST_LABELS[8]), ("mountain", "ocean"));
+/// ```
+pub const COAST_LABELS: &[&str] =
+    &["nodata", "mountain", "island", "beach", "lagoon", "reef flat", "reef crest", "reef front", "ocean"];
 /// Strength of the wind.
 pub const WIND: Key<f64> =
     Key::new("wind", "1", "strength of the wind over the ground, 1 where nothing stands in its way");
@@ -161,6 +173,7 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (SPREAD_AREA.name, SPREAD_AREA.unit, SPREAD_AREA.meaning),
     (MASK.name, MASK.unit, MASK.meaning),
     (SURFACE_MATERIAL.name, SURFACE_MATERIAL.unit, SURFACE_MATERIAL.meaning),
+    (LABELS.name, LABELS.unit, LABELS.meaning),
     (WIND.name, WIND.unit, WIND.meaning),
     (SHELTER.name, SHELTER.unit, SHELTER.meaning),
     (SHORE_AGE.name, SHORE_AGE.unit, SHORE_AGE.meaning),

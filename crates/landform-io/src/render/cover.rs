@@ -1,4 +1,4 @@
-//! Cover of the ground: sand, snow, and beds of rock.
+//! Cover of the ground: sand, snow, coral, and beds of rock.
 
 use landform_core::feature::{Feature, FeatureKind, Geometry, Property, near};
 use landform_core::terrain::{HeightField, NodeSurface};
@@ -6,11 +6,12 @@ use landform_core::{math, parallel};
 
 use super::colour::{Rgb, hex, mix};
 
-/// Sand, snow and bedded rock of a raster, as pictures show them.
+/// Sand, snow, coral and bedded rock of a raster, as pictures show them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cover {
     sand: Vec<f64>,
     snow: Vec<f64>,
+    coral: Vec<f64>,
     /// Colour of the rock and how much of it shows through what lies on it, where rock is bedded.
     rock: Vec<(u32, f64)>,
     /// Colour and share of roads and of objects that stand on the ground; empty where there are
@@ -22,6 +23,13 @@ pub(super) struct Cover {
 pub(crate) const SAND: u32 = 0xd9b482;
 const GRAVEL: u32 = 0x9c8567;
 const SNOW: u32 = 0xe9edf3;
+const CORAL: u32 = 0xdcd2c2;
+/// Depth of coral that hides the ground, m.
+const REEF: f64 = 1.0;
+/// Depth of water over which a reef under it fades from sight, m.
+const SEEN: f64 = 4.0;
+/// A reef at low water, as a map shows it.
+const SHOAL: u32 = 0xcfeadf;
 /// Depth of soil that hides rock, m.
 const HIDES: f64 = 0.6;
 
@@ -40,7 +48,7 @@ fn colour_of(name: &str) -> u32 {
         ("granite", 0xb3a9a2),
         ("basalt", 0x56545a),
         ("clay", 0xa5745a),
-        ("coral", 0xdcd2c2),
+        ("coral", CORAL),
         ("chalk", 0xe6e2d6),
         ("dolomite", 0xc9c0aa),
         ("marble", 0xd8d5d0),
@@ -125,8 +133,8 @@ impl Cover {
     pub(super) fn of(field: &HeightField) -> Self {
         let depth = |material: &str| field.depth(material).map(<[f64]>::to_vec).unwrap_or_default();
         let [dx, dy] = field.grid().spacing;
-        let (sand, snow, rock) = (depth("sand"), depth("snow"), bare_rock(field));
-        Self { sand, snow, rock, laid: laid(field), cell: dx.min(dy) }
+        let (sand, snow, coral) = (depth("sand"), depth("snow"), depth("coral"));
+        Self { sand, snow, coral, rock: bare_rock(field), laid: laid(field), cell: dx.min(dy) }
     }
 
     /// Whether it is known where trees stand.
@@ -155,12 +163,28 @@ impl Cover {
         math::smoothstep(0.02, 0.4, self.snow[i])
     }
 
+    /// How much of a node coral covers, 0 to 1.
+    fn coral(&self, i: usize) -> f64 {
+        self.coral.get(i).map_or(0.0, |&c| math::smoothstep(0.0, REEF, c))
+    }
+
+    /// The colour of the sea over a node, through which a shallow reef shows; `depth` of the water,
+    /// m.
+    pub(super) fn through_water(&self, colour: Rgb, i: usize, depth: f64) -> Rgb {
+        let seen = 0.85 * self.coral(i) * math::exp(-depth.max(0.0) / SEEN);
+        if seen > 0.0 { mix(colour, hex(SHOAL), seen) } else { colour }
+    }
+
     /// The colour of a node under what lies on it. `strength` of the desert's colours against the
     /// ground's own.
     pub(super) fn tint(&self, colour: Rgb, i: usize, strength: f64) -> Rgb {
         let mut colour = colour;
         if let Some(&(rock, bare)) = self.rock.get(i) {
             colour = mix(colour, hex(rock), 0.25 + 0.6 * bare * strength);
+        }
+        let coral = self.coral(i);
+        if coral > 0.0 {
+            colour = mix(colour, hex(CORAL), 0.8 * coral * strength);
         }
         if !self.sand.is_empty() {
             colour = mix(mix(colour, hex(GRAVEL), 0.85 * strength), mix(colour, hex(SAND), strength), self.sand(i));

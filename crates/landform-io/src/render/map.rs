@@ -8,6 +8,7 @@ use landform_core::{Result, math, parallel};
 
 use super::colour::{Rgb, blend, hex, mix, scale, sea, to_srgb};
 use super::cover::Cover;
+use super::ground::has_sea;
 use super::label::short;
 use super::light::sky_view;
 use super::perspective::ground_colours;
@@ -50,7 +51,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     let (grid, z) = (field.grid(), field.elevation());
     let (lo, hi) = range(z);
     let level = style.sea_level;
-    let has_sea = lo < level && hi > level;
+    let has_sea = has_sea(field, (lo, hi), level);
     let shade = relief(grid, z, hi - lo);
     let water = style.water.then(|| waters(field));
     let land_low = if has_sea { level } else { lo };
@@ -62,7 +63,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
         }
         let under_sea = has_sea && z[i] < level && !(has_depth && water.as_ref().is_some_and(|w| w.lake[i] > 0.0));
         let mut colour = if under_sea {
-            sea(((z[i] - level) / (lo - level)).sqrt())
+            cover.through_water(sea(((z[i] - level) / (lo - level)).sqrt()), i, level - z[i])
         } else {
             let height = (z[i] - land_low) / (hi - land_low).max(1e-9);
             // Of the ramp a little stays, lighter upwards.
