@@ -261,7 +261,8 @@ impl Features {
         self.0.is_empty()
     }
 
-    /// Adds a feature to those of its kind; one with the same id gets another: "path 1", "path 1-2".
+    /// Adds a feature to those of its kind; one with the same id gets another: "path 1", "path
+    /// 1-2".
     ///
     /// ```
     /// use landform_core::feature::{Feature, FeatureKind, Features, Geometry};

@@ -197,7 +197,9 @@ impl Fields {
     /// ```
     pub fn add(&mut self, key: &Key<f64>, values: &[f64]) {
         let mut sums = self.taken(key);
-        parallel::update(&mut sums, |i, sum| *sum += values[i]);
+        parallel::map_pieces_mut([&mut sums], parallel::PIECE, |first, [sums]| {
+            sums.iter_mut().zip(&values[first..]).for_each(|(sum, value)| *sum += value);
+        });
         self.all.insert(key.name.into(), Values::F64(sums));
     }
 

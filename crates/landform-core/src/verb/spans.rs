@@ -9,6 +9,17 @@ use crate::{Error, Result, math};
 macro_rules! span {
     ($(#[$doc:meta])* $name:ident, $quantity:ty, $what:literal) => {
         $(#[$doc])*
+        ///
+        /// ```
+        /// use landform_core::units::{Angle, Length};
+        /// use landform_core::verb::{LengthSpan, SlopeSpan};
+        ///
+        /// let low = LengthSpan { above: None, below: Some(Length::of(500.0)) };
+        /// assert_eq!([100.0, 500.0, 501.0].map(|v| low.share(v, 0.0)), [1.0, 1.0, 0.0]);
+        /// let steep = SlopeSpan { above: Some(Angle::of(35.0)), below: None };
+        /// let soft = Angle::of(10.0).si();
+        /// assert_eq!([20.0, 35.0, 40.0].map(|v| steep.share(Angle::of(v).si(), soft)), [0.0, 0.5, 1.0]);
+        /// ```
         #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
         #[serde(default, deny_unknown_fields)]
         pub struct $name {
@@ -19,13 +30,27 @@ macro_rules! span {
         }
 
         impl $name {
-            /// How much a value (SI) lies within, 0 to 1: one half at an end, and all of it half of
-            /// `soft` (SI) away. With `soft` 0 ends are sharp and belong to the range.
+            /// How much a value (SI) lies within, as a part from 0 to 1: one half at an end, and all
+            /// of it half of `soft` (SI) away. With `soft` 0 ends are sharp and belong to the range.
+            ///
+            /// ```
+            /// use landform_core::verb::LengthSpan;
+            ///
+            /// assert_eq!(LengthSpan::default().share(7.0, 0.0), 1.0);
+            /// ```
             pub fn share(&self, value: f64, soft: f64) -> f64 {
                 share([self.above, self.below], value, soft)
             }
 
             /// Refuses a range without room.
+            ///
+            /// ```
+            /// use landform_core::units::Length;
+            /// use landform_core::verb::LengthSpan;
+            ///
+            /// let none = LengthSpan { above: Some(Length::of(9.0)), below: Some(Length::of(3.0)) };
+            /// assert!(none.check("height").is_err());
+            /// ```
             ///
             /// # Errors
             /// [`Error::Parameter`] if nothing lies above the one and below the other.
@@ -38,30 +63,12 @@ macro_rules! span {
 
 span!(
     /// Slopes above an angle, below one, or between two.
-    ///
-    /// ```
-    /// use landform_core::units::Angle;
-    /// use landform_core::verb::SlopeSpan;
-    ///
-    /// let steep = SlopeSpan { above: Some(Angle::of(35.0)), below: None };
-    /// let soft = Angle::of(10.0).si();
-    /// assert_eq!([20.0, 35.0, 40.0].map(|v| steep.share(Angle::of(v).si(), soft)), [0.0, 0.5, 1.0]);
-    /// ```
     SlopeSpan,
     Angle,
     "angle"
 );
 span!(
     /// Heights or distances above one, below one, or between two.
-    ///
-    /// ```
-    /// use landform_core::units::Length;
-    /// use landform_core::verb::LengthSpan;
-    ///
-    /// let low = LengthSpan { above: None, below: Some(Length::of(500.0)) };
-    /// assert_eq!([100.0, 500.0, 501.0].map(|v| low.share(v, 0.0)), [1.0, 1.0, 0.0]);
-    /// assert!(LengthSpan { above: Some(Length::of(9.0)), below: Some(Length::of(3.0)) }.check("height").is_err());
-    /// ```
     LengthSpan,
     Length,
     "height or distance"

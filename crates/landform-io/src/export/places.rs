@@ -2,9 +2,9 @@
 //!
 //! # Sources
 //! Unreal: centimetres, X, Y, Z left-handed, Z up, yaw from X to Y. Unity: metres, left-handed, Y
-//! up, rotation about Y clockwise from above. Godot: metres, right-handed, Y up. Each as its card of
-//! the height map lays the land: Unreal and Terrain3D from the north-west corner, Unity from the
-//! south-west one.
+//! up, rotation about Y clockwise from above. Godot: metres, right-handed, Y up. Each as its card
+//! of the height map lays the land: Unreal and Terrain3D from the north-west corner, Unity from
+//! the south-west one.
 
 use landform_core::feature::Property;
 use schemars::JsonSchema;

@@ -16,6 +16,14 @@ use super::places::{PlacePreset, rounded};
 
 /// Writes the objects that `scatter` left, one a line: id, kind, place, direction and scale (CSV or
 /// JSON), with a card (name.ext.md) that says in which coordinates.
+///
+/// ```
+/// use landform_core::verb::Params;
+/// use landform_io::export::WritePoints;
+///
+/// let trees = WritePoints { path: "trees.csv".into(), ..WritePoints::default() };
+/// assert_eq!(trees.outputs(), ["trees.csv", "trees.csv.md"]);
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WritePoints {

@@ -1,10 +1,10 @@
 //! Rivers and roads as splines.
 //!
 //! # Model
-//! A spline has a width and a depth at each of its points. Along a reach of a river discharge grows
-//! evenly from its upper end to its lower one, and width and depth with it: w ∝ Q^0.5, d ∝ Q^0.39.
-//! A river's points are nodes of the ground, moved to the mean (1, 2, 1) of three, by less than half
-//! a cell, so that its corners are less sharp; it still runs downhill only.
+//! A spline has a width and a depth at each of its points. Along a reach of a river discharge
+//! grows evenly from its upper end to its lower one, and width and depth with it: w ∝ Q^0.5, d ∝
+//! Q^0.39. A river's points are nodes of the ground, moved to the mean (1, 2, 1) of three, by less
+//! than half a cell, so that its corners are less sharp; it still runs downhill only.
 //!
 //! # Sources
 //! Moody & Troutman (2002) for width and depth.
@@ -29,6 +29,20 @@ use super::places::{PlacePreset, rounded, single};
 /// Writes rivers and roads as splines with a width and a depth at every point (JSON or CSV), with a
 /// card (name.ext.md) that says in which coordinates. Features that the landscape already has are
 /// written; rivers and coasts are found if it has none.
+///
+/// ```
+/// use landform_core::grid::{Grid, Shape};
+/// use landform_core::terrain::HeightField;
+/// use landform_core::verb::{Export, Landscape, MemoryOutput};
+/// use landform_io::export::WriteSplines;
+///
+/// let ramp = (0..400).map(|i| f64::from(i % 20)).collect();
+/// let ground = HeightField::new(Grid::new(Shape::new(20, 20), [10.0, 10.0])?, ramp)?;
+/// let mut out = MemoryOutput::default();
+/// WriteSplines::default().export(&Landscape::plain(&ground), &mut out)?;
+/// assert!(String::from_utf8_lossy(&out.0["splines.json"]).contains("\"kind\":\"river\""));
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteSplines {

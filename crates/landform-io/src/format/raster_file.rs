@@ -35,8 +35,8 @@ pub struct RasterFile<'a> {
     pub seed: u64,
     /// Options of GeoTIFF.
     pub geotiff: GeotiffOptions,
-    /// Least and greatest value of the whole that this is a part of, over which steps are spread; if
-    /// none, they are its own.
+    /// Least and greatest value of the whole that this is a part of, over which steps are spread;
+    /// if none, they are its own.
     pub spread: Option<[f64; 2]>,
 }
 

@@ -14,4 +14,4 @@ pub use grid::GridParams;
 pub use lattice::Lattice;
 pub(crate) use plane::plane_normal;
 pub use radius::within_map;
-pub use sums::{add_to_incision, add_to_sums, begin_sums};
+pub(crate) use sums::{add_to_incision, add_to_sums, begin_sums};

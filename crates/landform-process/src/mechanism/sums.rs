@@ -10,7 +10,7 @@ use landform_core::terrain::NodeSurface;
 ///
 /// # Errors
 /// Where [`landform_core::field::Fields::insert`] fails.
-pub fn begin_sums<T: NodeSurface>(terrain: &mut T) -> Result<()> {
+pub(crate) fn begin_sums<T: NodeSurface>(terrain: &mut T) -> Result<()> {
     for key in names::SUMS {
         if terrain.fields().get(key, "").is_err() {
             let z = terrain.elevation();
@@ -22,12 +22,11 @@ pub fn begin_sums<T: NodeSurface>(terrain: &mut T) -> Result<()> {
 }
 
 /// Adds to them how far each node was lowered in a step, m; negative where it was raised.
-pub fn add_to_sums<T: NodeSurface>(terrain: &mut T, lowered: &[f64]) {
+pub(crate) fn add_to_sums<T: NodeSurface>(terrain: &mut T, lowered: &[f64]) {
     terrain.fields_mut().add_parts(&names::INCISION, &names::DEPOSITION, lowered);
 }
 
 /// As [`add_to_sums`], where no node was raised.
-pub fn add_to_incision<T: NodeSurface>(terrain: &mut T, lowered: &[f64]) {
-    debug_assert!(lowered.iter().all(|by| !(*by < 0.0)));
+pub(crate) fn add_to_incision<T: NodeSurface>(terrain: &mut T, lowered: &[f64]) {
     terrain.fields_mut().add(&names::INCISION, lowered);
 }

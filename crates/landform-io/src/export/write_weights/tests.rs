@@ -9,7 +9,8 @@ fn layer(json: &str) -> WeightLayer {
     serde_json::from_str(json).unwrap()
 }
 
-/// A letter F, 300 m and 200 m high, on level ground; no flip, turn or transpose leaves it as it is.
+/// A letter F, 300 m and 200 m high, on level ground; no flip, turn or transpose leaves it as it
+/// is.
 fn letter(n: usize) -> HeightField {
     let grid = Grid::new(Shape::new(n, n), [20.0; 2]).unwrap();
     let z = (0..n * n).map(|i| {

@@ -82,7 +82,7 @@ pub struct CarvePath {
     /// Steepest grade along the road.
     #[schemars(extend("x-min" = 0.1, "x-max" = 45.0))]
     pub steepest: Angle,
-    /// Slope across the road, down from its middle to both edges.
+    /// Slope across the road, m/m, down from its middle to both edges.
     #[schemars(extend("x-min" = 0.0, "x-max" = 0.3))]
     pub camber: f64,
     /// Slope at which ground stands that is cut beside the road.
@@ -91,8 +91,8 @@ pub struct CarvePath {
     /// Slope at which fill stands beside the road.
     #[schemars(extend("x-min" = 5.0, "x-max" = 85.0))]
     pub fill_slope: Angle,
-    /// Fill over cut: with 1 all that is dug is used. With 0 they are not balanced, and the road
-    /// lies as near to the ground as its grade allows.
+    /// Fill as a part of the cut: with 1 all that is dug is used. With 0 they are not balanced, and
+    /// the road lies as near to the ground as its grade allows.
     #[schemars(extend("x-min" = 0.0, "x-max" = 10.0))]
     pub balance: f64,
     /// Height over the ground, or the water of a lake or the sea, from which the road is a bridge,

@@ -72,7 +72,7 @@ pub struct Scatter {
     /// Chance that a place that the rules allow is taken; may vary in space.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1.0))]
     pub density: Varying<RatioDimension>,
-    /// Least and greatest scale; each object has one between them.
+    /// Least and greatest scale, 1 for an object as it is; each has one between them.
     #[schemars(extend("x-above" = 0.0, "x-max" = 1000.0))]
     pub scale: [f64; 2],
 }
