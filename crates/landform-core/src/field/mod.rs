@@ -184,7 +184,7 @@ impl Fields {
         Ok(())
     }
 
-    /// Adds values to a field; one that was not there begins with zeros.
+    /// Adds values to a field, in its SI unit; one that was not there begins with zeros.
     ///
     /// ```
     /// use landform_core::field::{Fields, names};

@@ -99,6 +99,12 @@ pub const DEPTH_SUFFIX: &str = "_depth";
 pub const SURFACE_MATERIAL: Key<u8> =
     Key::new("surface_material", "1", "number of the material at the surface, as the legend beside the file tells");
 /// Parts of a coast with reefs, as classes of [`COAST_LABELS`].
+///
+/// ```
+/// use landform_core::field::names;
+///
+/// assert_eq!(names::COAST_LABELS.len(), 9);
+/// ```
 pub const LABELS: Key<u8> =
     Key::new("labels", "1", "part of the coast that the place belongs to, as the legend beside the file tells");
 /// Names of the classes of [`LABELS`], by their number; 0 is nodata.

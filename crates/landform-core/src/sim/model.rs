@@ -316,6 +316,17 @@ impl<T: Terrain> Model<T> {
     }
 
     /// What users should know of the ground after [`Model::finish`].
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::sim::Model;
+    /// use landform_core::terrain::HeightField;
+    ///
+    /// let ground = HeightField::new(Grid::new(Shape::new(3, 3), [10.0; 2])?, vec![0.0; 9])?;
+    /// // Nothing runs on it, and nothing is told of it.
+    /// assert_eq!(Model::new(ground).notes().count(), 0);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn notes(&self) -> impl Iterator<Item = String> {
         self.processes.iter().filter_map(|process| process.note(&self.terrain))
     }

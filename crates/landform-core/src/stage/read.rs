@@ -107,13 +107,13 @@ impl ReadStage {
     }
 
     /// The fastest that it raises ground by itself, m/s, where that is known before a run.
-    pub fn raises(&self) -> Option<f64> {
+    fn raises(&self) -> Option<f64> {
         (self.stage.form.raises)(&*self.parameters.value)
     }
 
     /// What a user should know before it runs on ground like `before`, which is raised at up to
     /// `raised` (m/s) on the same clock.
-    pub fn warning(&self, before: &Estimate, raised: f64) -> Option<String> {
+    fn warning(&self, before: &Estimate, raised: f64) -> Option<String> {
         (self.stage.form.warning)(&*self.parameters.value, before, raised)
     }
 
@@ -195,6 +195,21 @@ impl ReadStage {
             _ => Ok(()),
         }
     }
+}
+
+/// What users should know of stages that run together on ground like `before`, each beside its
+/// name.
+///
+/// ```
+/// use landform_core::stage::warnings_of;
+/// use landform_core::verb::Estimate;
+///
+/// assert!(warnings_of(&[], &Estimate::default()).is_empty());
+/// ```
+pub fn warnings_of(parts: &[ReadStage], before: &Estimate) -> Vec<String> {
+    let raised = parts.iter().filter_map(ReadStage::raises).sum();
+    let told = |part: &ReadStage| part.warning(before, raised).map(|what| format!("`{}`: {what}", part.stage.name));
+    parts.iter().filter_map(told).collect()
 }
 
 /// Bytes a node that stages take which run together on a kind of terrain.

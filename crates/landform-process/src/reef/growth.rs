@@ -22,6 +22,16 @@ const FURTHEST: f64 = 5.3;
 const STALE: f64 = 0.15;
 
 /// Rates, the sea and shelter, and scratch.
+///
+/// ```
+/// use landform_core::{terrain::HeightField, verb::Process};
+/// use landform_process::reef::ReefGrowth;
+///
+/// fn state_of<P: Process<HeightField>>() -> &'static str {
+///     std::any::type_name::<P::State>()
+/// }
+/// assert!(state_of::<ReefGrowth>().contains("reef"));
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
     max_rate: Resolved,

@@ -2,7 +2,8 @@
 //!
 //! Land is parted by its height over the sea. Water deeper than a reef flat is ocean where the sea
 //! beyond the map reaches it through such water, and else lagoon. Coral in shallower water is crest
-//! beside the ocean and flat behind; under the ocean, it is the reef's front down to the foot of its
+//! beside the ocean and flat behind; under the ocean, it is the reef's front down to the foot of
+//! its
 //! talus. Coral from which none leads up to a crest or flat has drowned, and is ocean floor.
 
 use landform_core::grid::Domain;
@@ -18,7 +19,8 @@ pub(super) const FLAT: f64 = 3.0;
 const BEACH: [f64; 2] = [-1.0, 4.0];
 /// Width of a crest, m, and in cells where those are wider.
 const CREST: [f64; 2] = [60.0, 1.5];
-/// Part of the greatest height over the sea above which land is a mountain, and the least height, m.
+/// Part of the greatest height over the sea above which land is a mountain, and the least height,
+/// m.
 const MOUNTAIN: [f64; 2] = [0.4, 50.0];
 
 /// Classes, numbers of [`COAST_LABELS`](landform_core::field::names::COAST_LABELS).
@@ -36,7 +38,8 @@ pub(super) enum Part {
     Ocean,
 }
 
-/// The part of the coast that each node belongs to, with the sea at `level` (m) and coral of a depth
+/// The part of the coast that each node belongs to, with the sea at `level` (m) and coral of a
+/// depth
 /// (m) on the ground, none where it is empty.
 pub(super) fn label(shore: &Shore, domain: &impl Domain, surface: &[f64], coral: &[f64], level: f64) -> Vec<u8> {
     let depth = |i: usize| level - surface[i];

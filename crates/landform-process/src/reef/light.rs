@@ -35,6 +35,15 @@ pub struct Light {
 }
 
 /// The sea over a place during one step.
+///
+/// ```
+/// use landform_process::reef::{Light, Water};
+///
+/// // A place 10 m deep in a still sea, in a kyr: it reaches low water and stops.
+/// let sea = Water { depth: 10.0, rise: 0.0, low: 0.5, factor: 1.0, time: 1000.0 };
+/// let light = Light::new(0.012, 2000.0, 250.0, 0.1);
+/// assert!((light.grown(&sea) - 9.5).abs() < 1e-9);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Water {
     /// Depth at the start, m; negative over land.
@@ -45,13 +54,20 @@ pub struct Water {
     pub low: f64,
     /// Factor on the rate, at least 0: what shelter leaves of it.
     pub factor: f64,
-    /// Length of the step, in the unit of time of the rate.
+    /// Length of the step, in the units of time of the rate.
     pub time: f64,
 }
 
 impl Light {
     /// From the greatest rate (m per unit of time), the light at the surface and that at which
     /// growth saturates (of one unit), and the extinction (1/m).
+    ///
+    /// ```
+    /// use landform_process::reef::Light;
+    ///
+    /// // No light, no growth.
+    /// assert_eq!(Light::new(0.012, 0.0, 250.0, 0.1).rate(5.0), 0.0);
+    /// ```
     pub fn new(most: f64, light: f64, saturation: f64, extinction: f64) -> Self {
         let ratio = light / saturation;
         let dark = if ratio > DARK { math::log(ratio / DARK) / extinction } else { 0.0 };
@@ -60,6 +76,13 @@ impl Light {
     }
 
     /// Rate at a depth (m), in the unit of the greatest rate; above water that at the surface.
+    ///
+    /// ```
+    /// use landform_process::reef::Light;
+    ///
+    /// let light = Light::new(0.012, 2000.0, 250.0, 0.1);
+    /// assert!(light.rate(10.0) > light.rate(20.0));
+    /// ```
     #[inline]
     pub fn rate(&self, depth: f64) -> f64 {
         self.most * math::tanh(self.ratio * math::exp(-self.extinction * depth.max(0.0)))
@@ -70,6 +93,13 @@ impl Light {
     /// water reaches the surface. With a rate that is not positive no depth is too great.
     ///
     /// w* = ln(I_0 / (I_k atanh(s / G_m))) / k
+    ///
+    /// ```
+    /// use landform_process::reef::Light;
+    ///
+    /// let light = Light::new(0.012, 2000.0, 250.0, 0.1);
+    /// assert_eq!(light.drowning_depth(0.0), Some(f64::INFINITY));
+    /// ```
     pub fn drowning_depth(&self, rise: f64) -> Option<f64> {
         if rise <= 0.0 {
             return Some(f64::INFINITY);
@@ -80,6 +110,13 @@ impl Light {
 
     /// Height that grows at a place in a step, m. Growth stops at low water, and goes on with the
     /// water.
+    ///
+    /// ```
+    /// use landform_process::reef::{Light, Water};
+    ///
+    /// let land = Water { depth: -3.0, rise: 0.0, low: 0.5, factor: 1.0, time: 10.0 };
+    /// assert_eq!(Light::new(0.012, 2000.0, 250.0, 0.1).grown(&land), 0.0);
+    /// ```
     pub fn grown(&self, water: &Water) -> f64 {
         let Water { depth, rise, low, factor, time } = *water;
         let (end, shallowest) = (depth + rise, depth.min(depth + rise).max(low));

@@ -25,9 +25,11 @@
 //! # Limits
 //! One coral: no zones by depth or species, and none by waves, wind or temperature. No erosion by
 //! waves and no karst, so that dry reef stays as it is unless another process acts on it; no islets
-//! of rubble on the rim. The law of shelter is our own choice of a form: published models agree that
+//! of rubble on the rim. The law of shelter is our own choice of a form: published models agree
+//! that
 //! growth falls away from open water, not on how. Rubble of the front and reef are one material,
-//! "coral"; "sediment" of a lagoon lies on it even where coral grew later. Open water comes and goes
+//! "coral"; "sediment" of a lagoon lies on it even where coral grew later. Open water comes and
+//! goes
 //! with a step as a passage opens.
 //!
 //! # Sources

@@ -1,6 +1,7 @@
 //! How far places in the sea are from open water.
 //!
-//! Open water is deep water that the sea beyond the map reaches through deep water, and whatever sea
+//! Open water is deep water that the sea beyond the map reaches through deep water, and whatever
+//! sea
 //! lies on the map's border. Distances run over the sea, straight to the nearest open water that
 //! the way there began from: around a headland they are somewhat short.
 

@@ -9,6 +9,13 @@ use serde::{Deserialize, Serialize};
 /// Growth of coral reefs on ground under the sea, by the light that reaches it: they keep up with a
 /// rising sea, catch up with it, or drown. A reef grows best beside open water, so that a rim rises
 /// and a lagoon stays behind it. Its depth is a layer of coral on the ground.
+///
+/// ```
+/// use landform_core::verb::Params;
+/// use landform_process::reef::ReefGrowth;
+///
+/// assert!(ReefGrowth { light: -1.0, ..ReefGrowth::default() }.validate().is_err());
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ReefGrowth {

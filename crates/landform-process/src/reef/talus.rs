@@ -2,7 +2,8 @@
 //!
 //! Where a reef under water stands steeper than the talus angle over a neighbour, or over the plane
 //! through two that lie side by side, as much of it slips on to the neighbour as brings both to the
-//! angle; without planes a cone would have as many sides as a node has neighbours. Nodes are visited from the highest down,
+//! angle; without planes a cone would have as many sides as a node has neighbours. Nodes are
+//! visited from the highest down,
 //! so that what slips runs down a whole slope at once, and again until little moves. Only coral
 //! slips.
 
@@ -119,7 +120,8 @@ fn steepest(domain: &impl Domain, position: &[[f64; 2]], surface: &[f64], i: usi
     most.1.map(|to| (to, most.0))
 }
 
-/// What stands out of the steepest plane through a node and two neighbours side by side, if it falls
+/// What stands out of the steepest plane through a node and two neighbours side by side, if it
+/// falls
 /// between them.
 fn plane(position: &[[f64; 2]], z: &[f64], [i, a, b]: [usize; 3], slope: f64, take: &mut impl FnMut(f64, Foot)) {
     // Ground that falls to neither is no slope.

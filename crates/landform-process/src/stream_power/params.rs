@@ -168,7 +168,7 @@ impl Params for StreamPower {
     ];
 
     fn bytes_a_node(&self) -> Option<u64> {
-        Some(185)
+        Some(205)
     }
 
     fn jitters(&self) -> bool {
@@ -176,7 +176,14 @@ impl Params for StreamPower {
     }
 
     fn warning(&self, before: &Estimate, raised: f64) -> Option<String> {
-        talus::warning(self, before, raised)
+        let erodibility = match &self.erodibility {
+            Some(Varying::Uniform(k)) => k.si(),
+            Some(_) => return None,
+            None => Self::usual_erodibility().si(),
+        };
+        let (area_exponent, slope_exponent) = (self.area_exponent, self.slope_exponent);
+        let law = talus::Uniform { angle: self.talus_angle?, erodibility, area_exponent, slope_exponent };
+        talus::warning(&law, before, raised)
     }
 
     fn check(&self) -> Result<()> {

@@ -7,10 +7,8 @@
 use landform_core::algo::flow::Flow;
 use landform_core::grid::{Domain, NO_SLOT, Status};
 use landform_core::units::Angle;
-use landform_core::verb::{Estimate, Varying};
+use landform_core::verb::Estimate;
 use landform_core::{math, parallel};
-
-use super::StreamPower;
 
 /// Drainage area up to which planes pass for hillsides, m², and in nodes.
 const HILLSIDE: f64 = 1e5;
@@ -20,19 +18,22 @@ const TOLD: f64 = 0.1;
 /// How far from the angle ground counts as standing at it, rad: one degree.
 const NEAR: f64 = std::f64::consts::PI / 180.0;
 
+/// A law of rivers on slopes of one angle: K (SI), m and n.
+pub(super) struct Uniform {
+    pub(super) angle: Angle,
+    pub(super) erodibility: f64,
+    pub(super) area_exponent: f64,
+    pub(super) slope_exponent: f64,
+}
+
 /// That planes will be larger than hillsides, where uplift and erodibility say so before a run.
-pub(super) fn warning(params: &StreamPower, before: &Estimate, raised: f64) -> Option<String> {
-    let angle = params.talus_angle?;
-    let erodibility = match &params.erodibility {
-        Some(Varying::Uniform(k)) => k.si(),
-        Some(_) => return None,
-        None => StreamPower::usual_erodibility().si(),
-    };
-    if !(raised > 0.0 && params.area_exponent > 0.0) {
+pub(super) fn warning(law: &Uniform, before: &Estimate, raised: f64) -> Option<String> {
+    let Uniform { angle, erodibility, area_exponent, slope_exponent } = *law;
+    if !(raised > 0.0 && area_exponent > 0.0) {
         return None;
     }
     let slope = math::tan(angle.si());
-    let area = math::pow(raised / (erodibility * math::pow(slope, params.slope_exponent)), 1.0 / params.area_exponent);
+    let area = math::pow(raised / (erodibility * math::pow(slope, slope_exponent)), 1.0 / area_exponent);
     let node = before.spacing().map(|d| d * d);
     let large = area > HILLSIDE || node.is_some_and(|node| area > HILLSIDE_NODES * node);
     large.then(|| {

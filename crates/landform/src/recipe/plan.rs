@@ -1,6 +1,6 @@
 //! The plan of a recipe: its stages, sizes and memory.
 
-use landform_core::stage::{ReadStage, Verb, bytes_a_node_of};
+use landform_core::stage::{Verb, bytes_a_node_of, warnings_of};
 use landform_core::terrain::Kind;
 use landform_core::verb::{Context, ELEVATIONS, Estimate, relative_path};
 use landform_core::{Error, Result};
@@ -86,7 +86,7 @@ impl Recipe {
             let (environment, window) = (&*self.environment, self.window);
             let context = Context { seed: entry.seed, maps: &*self.maps, environment, window, ..Context::default() };
             let held = labelled.values().map(held).sum::<u64>() + fields_before * 8 * current.0.nodes;
-            let notes = warnings(entry, &current.0);
+            let notes = warnings_of(entry.work.parts(), &current.0);
             current.0 = estimate(entry, current.2, current.0, &context).map_err(fail)?;
             current.0.bytes += PROGRAM + held;
             if entry.work.changes_terrain() {
@@ -173,14 +173,6 @@ impl Recipe {
         }
         Ok(())
     }
-}
-
-/// What users should know of a stage on ground like `before`.
-fn warnings(entry: &Entry, before: &Estimate) -> Vec<String> {
-    let parts = entry.work.parts();
-    let raised = parts.iter().filter_map(|part| part.raises()).sum();
-    let told = |part: &ReadStage| part.warning(before, raised).map(|what| format!("`{}`: {what}", part.stage().name));
-    parts.iter().filter_map(told).collect()
 }
 
 /// What is known of a landscape on the way: size, key, kind, fields.

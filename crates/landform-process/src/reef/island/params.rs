@@ -13,6 +13,13 @@ use crate::mechanism::GridParams;
 /// It may have sunk, with a reef that kept up where its shore was. For a reef that grows, let
 /// `reef_growth` follow. Nothing is held at the sides of the map, so that the sea floor sinks with
 /// the island.
+///
+/// ```
+/// use landform_core::verb::Params;
+/// use landform_process::reef::CoralIsland;
+///
+/// assert!(CoralIsland::default().validate().is_ok());
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct CoralIsland {
@@ -42,6 +49,14 @@ pub struct CoralIsland {
 }
 
 /// An island's shore from above.
+///
+/// ```
+/// use landform_core::units::Ratio;
+/// use landform_process::reef::OutlineParams;
+///
+/// let circle = OutlineParams { roughness: Ratio::of(0.0), ..OutlineParams::default() };
+/// assert!(circle.radii.is_empty());
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct OutlineParams {
@@ -58,6 +73,14 @@ pub struct OutlineParams {
 }
 
 /// A wind that shapes an island.
+///
+/// ```
+/// use landform_core::units::{Angle, Ratio};
+/// use landform_process::reef::WarpParams;
+///
+/// let trade_wind = WarpParams { from: Angle::of(70.0), strength: Ratio::of(0.3) };
+/// assert_eq!(trade_wind.strength, Ratio::of(0.3));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WarpParams {
@@ -69,6 +92,13 @@ pub struct WarpParams {
 }
 
 /// A reef that keeps up with the sea whatever happens, on ground that lay within a band of heights.
+///
+/// ```
+/// use landform_process::reef::BandParams;
+///
+/// let band = BandParams::default();
+/// assert!(band.low.si() < band.high.si());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct BandParams {
