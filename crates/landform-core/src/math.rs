@@ -43,6 +43,19 @@ pub fn lerp(a: f64, b: f64, t: f64) -> f64 {
     a + (b - a) * t
 }
 
+/// Bits in the order of the numbers, those of a pure number: a key for heaps.
+///
+/// ```
+/// use landform_core::math::ordered_bits;
+///
+/// assert!(ordered_bits(-2.0) < ordered_bits(-1.0) && ordered_bits(-1.0) < ordered_bits(3.0));
+/// ```
+#[inline]
+pub fn ordered_bits(x: f64) -> u64 {
+    let bits = x.to_bits();
+    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
+}
+
 /// Smooth step from 0 at `edge0` to 1 at `edge1`; a hard step where both are equal.
 #[inline]
 pub fn smoothstep(edge0: f64, edge1: f64, x: f64) -> f64 {

@@ -203,6 +203,22 @@ impl Feature {
         self.properties.iter().find(|p| p.0 == name).map(|p| &p.1)
     }
 
+    /// A property that is a number, in the unit that its name ends with.
+    ///
+    /// ```
+    /// use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
+    ///
+    /// let properties = vec![("width_m".into(), Property::Number(8.0))];
+    /// let road = Feature { id: "1".into(), kind: FeatureKind::Path, geometry: Geometry::Line(Vec::new()), properties };
+    /// assert_eq!((road.number("width_m"), road.number("depth_m")), (Some(8.0), None));
+    /// ```
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.property(name) {
+            Some(Property::Number(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
     /// A property that has a number for each place of a line.
     ///
     /// ```

@@ -40,7 +40,7 @@ pub use history::{Event, Landscape};
 pub use maps::{Image, Maps, NoMaps};
 pub use outcome::{Budget, Outcome, Stopped};
 pub use outlets::{BorderWhere, Mask, NamedOutlets, Outlets};
-pub use output::{MemoryOutput, Output, check_path, file_path, relative_path};
+pub use output::{MemoryOutput, Output, check_path, file_path, is_plain_name, relative_path};
 pub use params::{Params, Source, properties, schema_of, validate_ranges};
 pub use reach::{Margin, Reach, Window};
 pub use role::{Role, coarser};

@@ -31,8 +31,7 @@ macro_rules! span {
 
         impl $name {
             /// How much a value (SI) lies within, as a part from 0 to 1: one half at an end, and
-            /// all
-            /// of it half of `soft` (SI) away. With `soft` 0 ends are sharp and belong to the
+            /// all of it half of `soft` (SI) away. With `soft` 0 ends are sharp and belong to the
             /// range.
             ///
             /// ```

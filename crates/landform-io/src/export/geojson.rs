@@ -46,7 +46,8 @@ fn in_metres(feature: &Feature) -> Json {
     json!({ "geometry": { "type": geometry, "coordinates": coordinates }, "properties": properties, "type": "Feature" })
 }
 
-fn value(property: &Property) -> Json {
+/// A property as JSON.
+pub(super) fn value(property: &Property) -> Json {
     match property {
         Property::Flag(v) => json!(v),
         Property::Whole(v) => json!(v),

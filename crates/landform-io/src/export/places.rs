@@ -9,7 +9,9 @@
 use landform_core::feature::Property;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value as Json, json};
+use serde_json::Value as Json;
+
+use super::geojson;
 
 /// Coordinates of places that are written.
 ///
@@ -93,11 +95,7 @@ pub(super) fn rounded(v: f64, decimals: u32) -> f64 {
 /// A property as JSON; none for lists.
 pub(super) fn single(property: &Property) -> Option<Json> {
     match property {
-        Property::Flag(v) => Some(json!(v)),
-        Property::Whole(v) => Some(json!(v)),
-        Property::Number(v) => Some(json!(v)),
-        Property::Text(v) | Property::Id(v) => Some(json!(v)),
-        Property::None => Some(Json::Null),
-        _ => None,
+        Property::Place(_) | Property::Numbers(_) => None,
+        one => Some(geojson::value(one)),
     }
 }

@@ -15,7 +15,7 @@
 use std::fmt::Write;
 
 use landform_core::analysis::{FeatureSearch, find_features};
-use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
+use landform_core::feature::{Feature, FeatureKind, Geometry};
 use landform_core::terrain::Rasterize;
 use landform_core::units::{Area, Length, Rate};
 use landform_core::verb::{Export, FeatureWord, Landscape, Output, Params, Source, check_path};
@@ -113,10 +113,7 @@ struct Spline<'a> {
 impl<'a> Spline<'a> {
     /// `cell` is the distance of nodes, m.
     fn of(feature: &'a Feature, cell: f64) -> Self {
-        let number = |name: &str| match feature.property(name) {
-            Some(Property::Number(v)) => *v,
-            _ => 0.0,
-        };
+        let number = |name: &str| feature.number(name).unwrap_or(0.0);
         let points: Vec<[f64; 3]> = match &feature.geometry {
             Geometry::Line(line) if feature.kind == FeatureKind::River => eased(line, cell),
             Geometry::Line(line) => line.clone(),
@@ -253,6 +250,7 @@ impl WriteSplines {
 
 #[cfg(test)]
 mod tests {
+    use landform_core::feature::Property;
     use landform_core::grid::{Grid, Shape};
     use landform_core::terrain::{HeightField, NodeSurface};
     use landform_core::verb::MemoryOutput;

@@ -1,6 +1,6 @@
 //! Cover of the ground: sand, snow, coral, and beds of rock.
 
-use landform_core::feature::{Feature, FeatureKind, Geometry, Property, near};
+use landform_core::feature::{Feature, FeatureKind, Geometry, near};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::{math, parallel};
 
@@ -104,10 +104,7 @@ fn laid(field: &HeightField) -> Vec<(Rgb, f64)> {
     if !(has(FeatureKind::Path) || has(FeatureKind::Object)) {
         return Vec::new();
     }
-    let number = |feature: &Feature, name: &str| match feature.property(name) {
-        Some(Property::Number(v)) => *v,
-        _ => 0.0,
-    };
+    let number = |feature: &Feature, name: &str| feature.number(name).unwrap_or(0.0);
     let mut laid = vec![(hex(TREES), 0.0); grid.len()];
     for feature in features.of(FeatureKind::Object) {
         let Geometry::Points(points) = &feature.geometry else { continue };

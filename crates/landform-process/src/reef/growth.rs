@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::labels::label;
 use super::light::{Light, Water};
-use super::open_water::Shore;
+use super::open_water::{Shore, cell_width};
 use super::params::ReefGrowth;
 use super::talus::{Slipped, slip};
 use super::{CORAL, SEDIMENT};
@@ -85,8 +85,7 @@ impl ReefGrowth {
         let (domain, z) = (terrain.domain(), terrain.elevation());
         let rise = |i: usize| ((levels[1] - z[i]) - (levels[0] - scratch.before[i])).abs();
         shelter.moved += parallel::max(z.len(), rise).max(0.0);
-        let area = z.iter().position(|z| !z.is_nan()).map_or(0.0, |i| domain.area(i));
-        if shelter.open.len() == z.len() && shelter.moved < STALE * area.sqrt() {
+        if shelter.open.len() == z.len() && shelter.moved < STALE * cell_width(&*domain, z) {
             return false;
         }
         let depth = |i: usize| levels[1] - z[i];

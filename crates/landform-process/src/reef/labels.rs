@@ -3,13 +3,12 @@
 //! Land is parted by its height over the sea. Water deeper than a reef flat is ocean where the sea
 //! beyond the map reaches it through such water, and else lagoon. Coral in shallower water is crest
 //! beside the ocean and flat behind; under the ocean, it is the reef's front down to the foot of
-//! its
-//! talus. Coral from which none leads up to a crest or flat has drowned, and is ocean floor.
+//! its talus. Coral from which none leads up to a crest or flat has drowned, and is ocean floor.
 
 use landform_core::grid::Domain;
 use landform_core::parallel;
 
-use super::open_water::Shore;
+use super::open_water::{Shore, cell_width};
 
 /// Depth of coral that makes a reef, m.
 const REEF: f64 = 0.5;
@@ -39,13 +38,11 @@ pub(super) enum Part {
 }
 
 /// The part of the coast that each node belongs to, with the sea at `level` (m) and coral of a
-/// depth
-/// (m) on the ground, none where it is empty.
+/// depth (m) on the ground, none where it is empty.
 pub(super) fn label(shore: &Shore, domain: &impl Domain, surface: &[f64], coral: &[f64], level: f64) -> Vec<u8> {
     let depth = |i: usize| level - surface[i];
     let open = shore.open(domain, depth, FLAT);
-    let area = (0..surface.len()).find(|&i| !surface[i].is_nan()).map_or(1.0, |i| domain.area(i));
-    let crest = CREST[0].max(CREST[1] * area.sqrt());
+    let crest = CREST[0].max(CREST[1] * cell_width(domain, surface));
     let distance = shore.distance(domain, depth, &open, crest);
     let highest = parallel::max(surface.len(), |i| -depth(i));
     let mountain = MOUNTAIN[1].max(MOUNTAIN[0] * highest);

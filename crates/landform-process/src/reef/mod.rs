@@ -26,11 +26,9 @@
 //! One coral: no zones by depth or species, and none by waves, wind or temperature. No erosion by
 //! waves and no karst, so that dry reef stays as it is unless another process acts on it; no islets
 //! of rubble on the rim. The law of shelter is our own choice of a form: published models agree
-//! that
-//! growth falls away from open water, not on how. Rubble of the front and reef are one material,
-//! "coral"; "sediment" of a lagoon lies on it even where coral grew later. Open water comes and
-//! goes
-//! with a step as a passage opens.
+//! that growth falls away from open water, not on how. Rubble of the front and reef are one
+//! material, "coral"; "sediment" of a lagoon lies on it even where coral grew later. Open water
+//! comes and goes with a step as a passage opens.
 //!
 //! # Sources
 //! Bosscher & Schlager (1992), eq. 2, for G and its ranges; Neumann & Macintyre (1985) for keep-up,

@@ -1,9 +1,8 @@
 //! How far places in the sea are from open water.
 //!
 //! Open water is deep water that the sea beyond the map reaches through deep water, and whatever
-//! sea
-//! lies on the map's border. Distances run over the sea, straight to the nearest open water that
-//! the way there began from: around a headland they are somewhat short.
+//! sea lies on the map's border. Distances run over the sea, straight to the nearest open water
+//! that the way there began from: around a headland they are somewhat short.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -16,6 +15,11 @@ use landform_core::terrain::NodeSurface;
 pub(super) struct Shore {
     position: Vec<[f64; 2]>,
     border: Vec<u32>,
+}
+
+/// Width of a cell, m: of the first node with ground, as all are much the same.
+pub(super) fn cell_width(domain: &impl Domain, surface: &[f64]) -> f64 {
+    surface.iter().position(|z| !z.is_nan()).map_or(1.0, |i| domain.area(i)).sqrt()
 }
 
 /// Distance of open water itself.

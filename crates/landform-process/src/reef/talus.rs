@@ -3,14 +3,14 @@
 //! Where a reef under water stands steeper than the talus angle over a neighbour, or over the plane
 //! through two that lie side by side, as much of it slips on to the neighbour as brings both to the
 //! angle; without planes a cone would have as many sides as a node has neighbours. Nodes are
-//! visited from the highest down,
-//! so that what slips runs down a whole slope at once, and again until little moves. Only coral
-//! slips.
+//! visited from the highest down, so that what slips runs down a whole slope at once, and again
+//! until little moves. Only coral slips.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use landform_core::grid::{Domain, Status};
+use landform_core::math::ordered_bits;
 use landform_core::parallel;
 
 /// Rounds of a step at most.
@@ -53,7 +53,7 @@ pub(super) fn slip(
     for round in 1..=MOST_ROUNDS {
         let is_steep = |i: &u32| excess(surface, coral, *i as usize).is_some();
         let mut heap: BinaryHeap<_> =
-            next.drain(..).filter(is_steep).map(|i| (ordered(surface[i as usize]), Reverse(i))).collect();
+            next.drain(..).filter(is_steep).map(|i| (ordered_bits(surface[i as usize]), Reverse(i))).collect();
         while let Some((_, Reverse(at))) = heap.pop() {
             let i = at as usize;
             if visited[i] == round {
@@ -75,7 +75,7 @@ pub(super) fn slip(
                     surface[j] += volume / domain.area(j);
                     coral[j] += volume / domain.area(j);
                     slipped.deposited += volume;
-                    heap.push((ordered(surface[j]), Reverse(j as u32)));
+                    heap.push((ordered_bits(surface[j]), Reverse(j as u32)));
                 }
             }
             // The node itself, and what stands above and has lost its foot.
@@ -121,8 +121,7 @@ fn steepest(domain: &impl Domain, position: &[[f64; 2]], surface: &[f64], i: usi
 }
 
 /// What stands out of the steepest plane through a node and two neighbours side by side, if it
-/// falls
-/// between them.
+/// falls between them.
 fn plane(position: &[[f64; 2]], z: &[f64], [i, a, b]: [usize; 3], slope: f64, take: &mut impl FnMut(f64, Foot)) {
     // Ground that falls to neither is no slope.
     if !(z[i] > z[a] && z[i] > z[b]) {
@@ -151,12 +150,6 @@ fn plane(position: &[[f64; 2]], z: &[f64], [i, a, b]: [usize; 3], slope: f64, ta
         let (one, two) = (parts[0] * dot(u, u).sqrt(), parts[1] * dot(v, v).sqrt());
         take(height, [(a, one / (one + two)), (b, two / (one + two))]);
     }
-}
-
-/// Bits in the order of the numbers.
-fn ordered(z: f64) -> u64 {
-    let bits = z.to_bits();
-    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
 }
 
 #[cfg(test)]

@@ -258,7 +258,7 @@ fn unity_steps(heights: &Heights) -> String {
 fn godot_steps(heights: &Heights) -> String {
     let grid = heights.field.grid();
     let longer = grid.shape.cols.max(grid.shape.rows);
-    let fits = [64, 128, 256, 512, 1024, 2048].into_iter().find(|r| r * 32 >= longer).unwrap_or(2048).max(256);
+    let fits = layout::REGIONS.iter().copied().find(|r| r * 32 >= longer).unwrap_or(2048).max(256);
     let region = if heights.layout.is_tiled() { heights.layout.tile.cols } else { fits };
     let range = if heights.extension == "exr" {
         "| Import Scale, Offset | 1, 0 (the file holds metres) |".to_string()

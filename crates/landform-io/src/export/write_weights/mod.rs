@@ -223,7 +223,7 @@ impl WriteWeights {
         format!("{}/{name}", self.folder())
     }
 
-    /// Weights on a raster: for each layer, and the nodes that have no data.
+    /// Weights of each layer on a raster.
     fn weights(&self, ground: &HeightField) -> Result<Vec<Vec<u8>>> {
         let painted = Painted::of(self, ground)?;
         let (nodes, count) = (ground.elevation().len(), self.layers.len());

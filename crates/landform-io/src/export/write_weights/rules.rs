@@ -4,6 +4,7 @@ use landform_core::algo::derivative::slope;
 use landform_core::field::names;
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Length, parse_as};
+use landform_core::verb::is_plain_name;
 use landform_core::{Error, Result, math, parallel};
 
 use super::{Bound, WeightLayer, WriteWeights};
@@ -16,8 +17,7 @@ impl WeightLayer {
 
     /// Refuses a name that is none, and rules that do not go together.
     pub(super) fn check(&self, is_last: bool) -> Result<()> {
-        let is_plain = |c: char| c.is_alphanumeric() || " _-".contains(c);
-        if self.name.trim().is_empty() || self.name.len() > 60 || !self.name.chars().all(is_plain) {
+        if !is_plain_name(&self.name) {
             let expected = "a name of letters, digits, spaces, _ and -, at most 60 long";
             return Err(Error::parameter("layers", format!("with the name {:?}", self.name), expected));
         }

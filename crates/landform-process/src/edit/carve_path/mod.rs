@@ -31,7 +31,8 @@ mod tests;
 
 use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
 use landform_core::field::names;
-use landform_core::terrain::{HeightField, Layer, NodeSurface};
+use landform_core::grid::Grid;
+use landform_core::terrain::{HeightField, Interpolation, Layer, NodeSurface, sample_by};
 use landform_core::units::{Angle, Length, place_text};
 use landform_core::verb::{Context, Edit, Params, Source};
 use landform_core::{Error, Result, math, parallel};
@@ -252,11 +253,11 @@ impl CarvePath {
 }
 
 /// Ground and water as a road sees them.
-pub(crate) struct Dry {
+struct Dry {
     /// The ground, or the surface of the water over it, m.
-    pub(crate) level: Vec<f64>,
+    level: Vec<f64>,
     /// Whether water stands there.
-    pub(crate) wet: Vec<bool>,
+    wet: Vec<bool>,
 }
 
 /// Height of a road over the water that it crosses, m.
@@ -276,6 +277,6 @@ fn dry_ground(terrain: &HeightField, context: &Context) -> Dry {
 }
 
 /// Bilinear value at a place; NaN beside nodata.
-fn level_at(grid: &landform_core::grid::Grid, level: &[f64], at: [f64; 2]) -> f64 {
-    landform_core::terrain::sample_by(landform_core::terrain::Interpolation::Linear, grid, level, at)
+fn level_at(grid: &Grid, level: &[f64], at: [f64; 2]) -> f64 {
+    sample_by(Interpolation::Linear, grid, level, at)
 }

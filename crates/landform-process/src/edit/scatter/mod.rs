@@ -26,7 +26,7 @@ use landform_core::random::Seed;
 use landform_core::terrain::{HeightField, Interpolation, NodeSurface, sample_by};
 use landform_core::units::{Length, RatioDimension};
 use landform_core::verb::{
-    Context, Edit, Estimate, FeatureWord, LengthSpan, Params, Resolved, SlopeSpan, Source, Varying,
+    Context, Edit, Estimate, FeatureWord, LengthSpan, Params, Resolved, SlopeSpan, Source, Varying, is_plain_name,
 };
 use landform_core::{Error, Result, math, parallel};
 use schemars::JsonSchema;
@@ -127,8 +127,7 @@ impl Params for Scatter {
     }
 
     fn check(&self) -> Result<()> {
-        let is_plain = |c: char| c.is_alphanumeric() || " _-".contains(c);
-        if self.kind.trim().is_empty() || self.kind.len() > 60 || !self.kind.chars().all(is_plain) {
+        if !is_plain_name(&self.kind) {
             let expected = "a word of letters, digits, spaces, _ and -, at most 60 long";
             return Err(Error::parameter("kind", format!("{:?}", self.kind), expected));
         }
@@ -200,10 +199,7 @@ impl Scatter {
             near_enough.iter().for_each(|near| places.rule_out(near, false));
         }
         for road in terrain.features().of(FeatureKind::Path) {
-            let width = match road.property("strip_m").or(road.property("width_m")) {
-                Some(Property::Number(width)) => *width,
-                _ => 0.0,
-            };
+            let width = road.number("strip_m").or(road.number("width_m")).unwrap_or(0.0);
             let on = near(std::iter::once(road), 0.5 * width, &places.at);
             places.rule_out(&on, true);
         }

@@ -21,8 +21,7 @@ const BEND: [f64; 2] = [0.32, 0.45];
 
 impl Valleys {
     /// How much of the height is cut at a place (m from the middle, and its compass direction), 0
-    /// on
-    /// ridges to 1 on the floor of a great valley.
+    /// on ridges to 1 on the floor of a great valley.
     pub(super) fn cut(&self, [x, y]: [f64; 2], direction: f64) -> f64 {
         let far = math::hypot(x, y) / self.radius;
         let scale = BEND[1] * self.radius;
