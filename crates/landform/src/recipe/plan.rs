@@ -22,7 +22,7 @@ pub struct Plan {
 }
 
 /// Bytes of the program itself.
-const PROGRAM: u64 = 12 << 20;
+const PROGRAM: u64 = 13 << 20;
 
 /// The plan of one stage.
 #[derive(Clone, Debug)]
