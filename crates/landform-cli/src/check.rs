@@ -36,7 +36,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let cache = args.output.as_ref().map(|o| Cache::on_disk(&o.join(".landform/cache")));
     let plan = recipe.plan(cache.as_ref(), &salt()).map_err(about(&args.recipe))?;
     say!("{} (seed {})", recipe.title, recipe.seed);
-    recipe.notes.iter().chain(&recipe.file_notes()).for_each(|note| say!("note: {note}"));
+    let of_stages = plan.stages.iter().flat_map(|stage| &stage.notes);
+    recipe.notes.iter().chain(&recipe.file_notes()).chain(of_stages).for_each(|note| say!("note: {note}"));
     print_plan(&plan, cache.as_ref());
     let free = memory::available().map(|m| format!(" of {} free", bytes_text(m))).unwrap_or_default();
     say!("memory: about {}{free}", bytes_text(plan.bytes));

@@ -13,7 +13,7 @@
 //! assert_eq!(math::lerp(10.0, 30.0, 0.25), 15.0);
 //! ```
 
-pub use libm::{acos, asin, atan, atan2, cbrt, ceil, cos, exp, floor, hypot, log, log2, log10, sin, tan};
+pub use libm::{acos, asin, atan, atan2, atanh, cbrt, ceil, cos, exp, floor, hypot, log, log2, log10, sin, tan, tanh};
 
 /// `x` to the power `p`, by the exact path for the exponents that landscapes use most (0, ½, 1, 2).
 #[inline]
@@ -41,6 +41,19 @@ pub fn powi(x: f64, n: u32) -> f64 {
 #[inline]
 pub fn lerp(a: f64, b: f64, t: f64) -> f64 {
     a + (b - a) * t
+}
+
+/// Bits in the order of the numbers, those of a pure number: a key for heaps.
+///
+/// ```
+/// use landform_core::math::ordered_bits;
+///
+/// assert!(ordered_bits(-2.0) < ordered_bits(-1.0) && ordered_bits(-1.0) < ordered_bits(3.0));
+/// ```
+#[inline]
+pub fn ordered_bits(x: f64) -> u64 {
+    let bits = x.to_bits();
+    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
 }
 
 /// Smooth step from 0 at `edge0` to 1 at `edge1`; a hard step where both are equal.

@@ -93,6 +93,8 @@ dimension!(/// Angle, in radians; written in degrees.
     AngleDimension, Angle, "angle", 0, 0, "deg", std::f64::consts::PI / 180.0, false, "35 deg");
 dimension!(/// Discharge of a spring or a river, in m³/s.
     DischargeDimension, Discharge, "discharge", 3, -1, "m3/s", 1.0, true, "2 m3/s");
+dimension!(/// Attenuation: the part by which light or waves lose strength over a length, in 1/m.
+    AttenuationDimension, Attenuation, "attenuation", -1, 0, "1/m", 1.0, true, "0.1 1/m");
 dimension!(/// A plain number.
     RatioDimension, Ratio, "number", 0, 0, "1", 1.0, true, "0.5");
 
@@ -168,6 +170,35 @@ pub fn unit_factor<D: Dimension>(unit: &str) -> Result<f64, String> {
         return Err(format!("`{unit}` has the wrong dimension"));
     }
     Ok(parsed.factor)
+}
+
+/// A quantity as a number of a given unit; a bare number is one already.
+///
+/// ```
+/// use landform_core::units::parse_as;
+///
+/// assert_eq!(parse_as("2 km", "m")?, 2000.0);
+/// assert_eq!(parse_as("7", "deg")?, 7.0);
+/// assert!(parse_as("2 kyr", "m").is_err());
+/// # Ok::<(), landform_core::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Quantity`] if the text is no number, or has a unit that is unknown or of another
+/// dimension.
+pub fn parse_as(text: &str, unit: &str) -> Result<f64> {
+    let fail = |why: String| Error::Quantity { text: text.into(), expected: format!("a quantity in {unit}"), why };
+    let (number, given) = split_number(text).ok_or_else(|| fail("it does not start with a number".into()))?;
+    let value = if given.is_empty() {
+        number
+    } else {
+        let (from, to) = (parse_unit(given).map_err(fail)?, parse_unit(unit).map_err(fail)?);
+        if (from.metres, from.seconds, from.angle) != (to.metres, to.seconds, to.angle) {
+            return Err(fail(format!("`{given}` has the wrong dimension")));
+        }
+        number * from.factor / to.factor
+    };
+    if value.is_finite() { Ok(value) } else { Err(fail("it is not finite".into())) }
 }
 
 fn expected<D: Dimension>() -> String {

@@ -32,7 +32,7 @@ fn letter(n: usize) -> HeightField {
 }
 
 fn export(preset: Preset, path: &str, field: &HeightField, size: Option<usize>) -> BTreeMap<String, Vec<u8>> {
-    let stage = WriteHeightmap { path: path.into(), preset, size };
+    let stage = WriteHeightmap { path: path.into(), preset, size, ..WriteHeightmap::default() };
     stage.validate().unwrap();
     let mut out = MemoryOutput::default();
     let mut landscape = Landscape::plain(field);
@@ -145,7 +145,10 @@ fn what_an_engine_cannot_read_is_refused() {
         (Preset::Unity, "f.raw", Some(512), "33, 65"),
         (Preset::Godot, "f.png", None, ".exr or .r16"),
     ] {
-        let error = WriteHeightmap { path: path.into(), preset, size }.validate().unwrap_err().to_string();
+        let error = WriteHeightmap { path: path.into(), preset, size, ..WriteHeightmap::default() }
+            .validate()
+            .unwrap_err()
+            .to_string();
         assert!(error.contains(message), "{path}: {error}");
     }
 }
@@ -162,4 +165,88 @@ fn cells_stay_square_and_level_ground_has_a_range() {
     assert!(files["f.r16"].iter().all(|b| *b == 0));
     let unity = export(Preset::Unity, "f.raw", &field, None);
     assert_eq!(row(&card(&unity, "f.raw"), "Terrain Size X, Y, Z")[1], 1.0);
+}
+
+fn tiled(preset: Preset, path: &str, field: &HeightField, tiles: [usize; 2]) -> BTreeMap<String, Vec<u8>> {
+    let stage = WriteHeightmap { path: path.into(), preset, tiles, ..WriteHeightmap::default() };
+    stage.validate().unwrap();
+    let mut out = MemoryOutput::default();
+    stage.export(&Landscape::plain(field), &mut out).unwrap();
+    let mut planned = stage.outputs();
+    planned.retain(|name| out.0.contains_key(name));
+    assert_eq!(planned.len(), out.0.len(), "what is written is planned");
+    out.0
+}
+
+#[test]
+fn tiles_of_unreal_share_their_borders_byte_for_byte_and_hold_the_letter() {
+    let field = letter(253);
+    let files = tiled(Preset::Unreal, "f.r16", &field, [2, 2]);
+    let samples =
+        |name: &str| -> Vec<u16> { files[name].chunks(2).map(|b| u16::from_le_bytes([b[0], b[1]])).collect() };
+    let (nw, ne, sw) = (samples("f_x0_y0.r16"), samples("f_x1_y0.r16"), samples("f_x0_y1.r16"));
+    assert_eq!(nw.len(), 127 * 127);
+    assert!((0..127).all(|k| nw[k * 127 + 126] == ne[k * 127]), "the border of west and east");
+    assert!((0..127).all(|k| nw[126 * 127 + k] == sw[k]), "the border of north and south");
+    let text = card(&files, "f.r16");
+    let (location, scale) = (row(&text, "Location"), row(&text, "Scale"));
+    for y in 0..2 {
+        for x in 0..2 {
+            for (i, raw) in samples(&format!("f_x{x}_y{y}.r16")).into_iter().enumerate() {
+                let z = location[2] + (f64::from(raw) - 32_768.0) / 128.0 * scale[2];
+                let (r, c) = (126 * y + i / 127, 126 * x + i % 127);
+                close(z / 100.0, field.elevation()[r * 253 + c], 0.01);
+            }
+        }
+    }
+    assert!(text.contains("| `f_x1_y0.r16` | 2520 | 0 |"), "{text}");
+}
+
+#[test]
+fn tiles_of_unity_count_from_the_south_and_godot_regions_share_nothing() {
+    let field = letter(129);
+    let files = tiled(Preset::Unity, "f.raw", &field, [2, 2]);
+    let text = card(&files, "f.raw");
+    let size = row(&text, "Terrain Size X, Y, Z");
+    assert_eq!((row(&text, "Resolution"), size[0]), (vec![65.0], 64.0 * 20.0));
+    let base: f64 = text.split("Position Y: ").nth(1).unwrap().split(". ").next().unwrap().parse().unwrap();
+    for z in 0..2 {
+        for x in 0..2 {
+            let bytes = &files[&format!("f_{x}_{z}.raw")];
+            for (i, b) in bytes.chunks(2).enumerate() {
+                let height = base + f64::from(u16::from_le_bytes([b[0], b[1]])) / 65_535.0 * size[1];
+                let (north, east) = (64 * z + i / 65, 64 * x + i % 65);
+                close(height, field.elevation()[(128 - north) * 129 + east], 0.01);
+            }
+        }
+    }
+    let files = tiled(Preset::Godot, "f.exr", &letter(128), [2, 2]);
+    let read = |name: &str| raster_format("f.exr".as_ref()).unwrap().read(&files[name], None).unwrap();
+    let (west, east) = (read("f_00_00.exr"), read("f_01_00.exr"));
+    assert_eq!(west.grid().shape, Shape::new(64, 64));
+    let whole = letter(128);
+    assert!(
+        (0..64).all(|r| (f64::from(whole.elevation()[r * 128 + 64] as f32) - east.elevation()[r * 64]).abs() < 1e-3)
+    );
+    assert!((0..64).all(|r| (whole.elevation()[r * 128 + 63] - west.elevation()[r * 64 + 63]).abs() < 1e-3));
+    let one_file = WriteHeightmap { tiles: [2, 2], ..WriteHeightmap::default() };
+    assert!(one_file.validate().unwrap_err().to_string().contains("takes one file"));
+}
+
+#[test]
+fn a_size_that_is_not_the_landscapes_own_is_told() {
+    #[derive(Default)]
+    struct Notes(Vec<String>);
+    impl landform_core::verb::Output for Notes {
+        fn put(&mut self, _: &str, _: &[u8]) -> landform_core::Result<()> {
+            Ok(())
+        }
+        fn note(&mut self, text: String) {
+            self.0.push(text);
+        }
+    }
+    let mut notes = Notes::default();
+    let stage = WriteHeightmap { path: "f.r16".into(), preset: Preset::Unreal, ..WriteHeightmap::default() };
+    stage.export(&Landscape::plain(&letter(260)), &mut notes).unwrap();
+    assert_eq!(notes.0, ["f.r16: 260 x 260 nodes were resampled to 253 x 253"]);
 }

@@ -16,6 +16,7 @@ pub mod hillslope;
 pub mod karst;
 pub mod mechanism;
 pub mod particles;
+pub mod reef;
 pub mod snow;
 pub mod stream_power;
 pub mod streams;
@@ -34,6 +35,7 @@ pub static STAGES: &[&[landform_core::stage::Stage]] = &[
     coast::STAGES,
     dune::STAGES,
     snow::STAGES,
+    reef::STAGES,
     streams::STAGES,
     automaton::STAGES,
     basin::STAGES,

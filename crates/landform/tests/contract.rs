@@ -644,3 +644,41 @@ path = "coast.png"
     let refused = Recipe::parse(&mesh, "t", Path::new("."), &[]).and_then(run).unwrap_err().to_string();
     assert!(refused.contains("mesh") && refused.contains("particle_erosion"), "{refused}");
 }
+
+/// The recipe that fixes the words of what engines take, small: every file comes, tiles share their
+/// borders, weights sum to 255, and the number of threads does not show.
+#[test]
+fn a_landscape_for_an_engine_is_written_whole() {
+    let text = include_str!("data/for_an_engine.toml")
+        .replace("spacing = \"40 m\"", "spacing = \"200 m\"")
+        .replace("cell_size = \"8 m\"", "cell_size = \"32 m\"")
+        .replace("spacing = \"6 m\"", "spacing = \"60 m\"");
+    let ran = |threads| {
+        with_threads(threads, || {
+            let mut out = MemoryOutput::default();
+            recipe(&text).run(&mut out, &Options::default()).unwrap();
+            out.0
+        })
+        .unwrap()
+    };
+    let files = ran(2);
+    let has = |name: &str| assert!(files.contains_key(name), "{name} of {:?}", files.keys());
+    ["height_x0_y0.png", "height_x1_y1.png", "height.png.md", "land.glb", "splines.json", "trees.csv"]
+        .into_iter()
+        .for_each(has);
+    let grey = |name: &str| landform::io::format::read_grey(&files[name]).unwrap();
+    let (west, east) = (grey("height_x0_y0.png"), grey("height_x1_y0.png"));
+    let last = west.cols - 1;
+    assert!((0..west.rows).all(|r| west.values[r * west.cols + last] == east.values[r * east.cols]));
+    let layers = ["rock", "sediment", "grass"].map(|name| grey(&format!("weights/{name}.png")));
+    for i in 0..layers[0].values.len() {
+        let sum: f64 = layers.iter().map(|layer| (255.0 * layer.values[i]).round()).sum();
+        assert!(sum == 255.0, "{sum} in pixel {i}");
+    }
+    let splines: serde_json::Value = serde_json::from_slice(&files["splines.json"]).unwrap();
+    let all = splines["splines"].as_array().unwrap();
+    let road = all.iter().find(|s| s["kind"] == "path").unwrap();
+    assert!(all.iter().any(|s| s["kind"] == "river") && road["properties"]["steepest_deg"].as_f64().unwrap() < 8.001);
+    assert!(String::from_utf8_lossy(&files["trees.csv"]).lines().count() > 1000);
+    assert!(ran(1) == files, "the number of threads shows");
+}

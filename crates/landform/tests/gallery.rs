@@ -275,6 +275,18 @@ const SMALL: &[(&str, &[&str])] = &[
     ("cuestas", &["layered_ground.grid.cell_size=200 m", "write_picture.size=160"]),
     ("folded_and_faulted", &["layered_ground.grid.cell_size=250 m", "write_picture.size=160"]),
     ("volcanic_plateau", &["layered_ground.grid.cell_size=220 m", "write_picture.size=160"]),
+    (
+        "a_landscape_for_a_game",
+        &[
+            "stream_graph.spacing=160 m",
+            "to_height_field.cell_size=40 m",
+            "scatter.spacing=60 m",
+            "write_picture.size=160",
+        ],
+    ),
+    ("coral_island", &["coral_island.grid.cell_size=140 m", "evolve.clock.dt=10 kyr", "write_picture.size=160"]),
+    ("raised_terraces", &["coral_island.grid.cell_size=120 m", "evolve.clock.dt=5 kyr", "write_picture.size=160"]),
+    ("guyot", &["coral_island.grid.cell_size=140 m", "evolve.clock.dt=10 kyr", "write_picture.size=160"]),
 ];
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]

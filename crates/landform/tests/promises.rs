@@ -7,7 +7,7 @@ use std::path::Path;
 use landform::core::terrain::NodeSurface;
 use landform::core::verb::{CancelToken, MemoryOutput};
 use landform::io::format::read_raster;
-use landform::recipe::{AnyTerrain, Axis, Options, Override, Ran, Recipe, Sweep};
+use landform::recipe::{AnyTerrain, Axis, Options, Override, Ran, Recipe, Signal, Sweep};
 
 const NOISE: &str = "[[stage]]\nuse = \"noise\"\ngrid = { size = [\"4 km\", \"3 km\"], cell_size = \"200 m\" }\n\
                      amplitude = \"150 m\"\n";
@@ -62,6 +62,31 @@ fn classes_are_written_as_bytes_with_their_legend() {
     let sidecar: serde_json::Value = serde_json::from_slice(&out.0["m.png.landform.json"]).unwrap();
     let legend = sidecar["legend"].to_string();
     assert!(legend.contains("limestone") && legend.contains("shale"), "{sidecar}");
+}
+
+#[test]
+fn parts_of_a_coral_coast_are_written_as_bytes_with_their_legend() {
+    let text = "[[stage]]\nuse = \"coral_island\"\ngrid = { size = [\"6 km\", \"6 km\"], cell_size = \"100 m\" }\n\
+                outline = { radius = \"1.6 km\", roughness = 0.15 }\n\
+                profile = [ [\"0 m\", \"600 m\"], [\"900 m\", \"180 m\"], [\"1600 m\", \"0 m\"], [\"2600 m\", \"-900 m\"] ]\n\
+                [[stage]]\nuse = \"evolve\"\nclock = { dt = \"10 kyr\", duration = \"500 kyr\" }\nprocess = [\n\
+                { use = \"uplift\", rate = \"-0.4 mm/yr\" },\n\
+                { use = \"stream_power\", erodibility = \"1e-7 1/yr\", outlets = \"sea\" },\n\
+                { use = \"reef_growth\", max_rate = \"12 mm/yr\", light = 2000, saturation = 250, extinction = \"0.1 1/m\" } ]\n\
+                [[stage]]\nuse = \"write_raster\"\nfield = \"labels\"\npath = \"labels.png\"\n";
+    let (terrain, out) = run(text);
+    assert_eq!(out.0["labels.png"][24..26], [8, 0]);
+    let sidecar: serde_json::Value = serde_json::from_slice(&out.0["labels.png.landform.json"]).unwrap();
+    assert_eq!(
+        (&sidecar["legend"]["4"], &sidecar["legend"]["6"]),
+        (&"lagoon".into(), &"reef crest".into()),
+        "{sidecar}"
+    );
+    let field = terrain.get::<landform::core::terrain::HeightField>("test").unwrap();
+    let labels = field.named("labels", "test").unwrap().to_f64();
+    for part in [1.0, 4.0, 6.0, 7.0, 8.0] {
+        assert!(labels.iter().filter(|l| **l == part).count() > 10, "{part}");
+    }
 }
 
 #[test]
@@ -149,4 +174,46 @@ fn numbers(json: &serde_json::Value, name: &str, names: &mut Vec<String>) {
         serde_json::Value::Object(map) => map.iter().for_each(|(k, v)| numbers(v, &format!("{name}.{k}"), names)),
         _ => {}
     }
+}
+
+#[test]
+fn planes_of_one_slope_are_told_before_and_after_the_run() {
+    let text = |talus: &str| {
+        format!(
+            "[[stage]]\nuse = \"noise\"\ngrid = {{ size = [\"3 km\", \"3 km\"], cell_size = \"100 m\" }}\namplitude = \"20 m\"\n\
+             [[stage]]\nuse = \"evolve\"\nclock = {{ dt = \"50 kyr\", iterations = 20 }}\nprocess = [ {{ use = \"uplift\", \
+             rate = \"1 mm/yr\" }}, {{ use = \"stream_power\", erodibility = \"1e-6 1/yr\"{talus} }} ]\n"
+        )
+    };
+    let notes = |talus: &str| {
+        let recipe = parse(&text(talus)).unwrap();
+        let planned: Vec<String> = recipe.plan(None, "").unwrap().stages.iter().flat_map(|s| s.notes.clone()).collect();
+        let told = std::sync::Mutex::new(Vec::new());
+        let progress = |signal: Signal| {
+            if let Signal::Note(note) = signal {
+                told.lock().unwrap().push(note);
+            }
+        };
+        recipe.run(&mut MemoryOutput::default(), &Options { progress: &progress, ..Options::default() }).unwrap();
+        (planned.join("\n"), told.into_inner().unwrap().join("\n"))
+    };
+    // A = (U/(K tan 30°))²: 1e-3/(1e-6 · .577) = 1732, squared 3 km².
+    let (planned, told) = notes(", talus_angle = \"30 deg\"");
+    assert!(planned.contains("3.00 km2"), "{planned}");
+    assert!(told.contains(&planned) && told.contains("of the land stands at the talus angle of 30 degrees"), "{told}");
+    assert_eq!(notes(""), (String::new(), String::new()));
+}
+
+#[test]
+fn cells_finer_than_a_mesh_are_told() {
+    let notes = |more: &str| {
+        let text = format!(
+            "[[stage]]\nuse = \"stream_graph\"\nsize = [\"2 km\", \"2 km\"]\nspacing = \"100 m\"\n\
+             [[stage]]\nuse = \"to_height_field\"\n{more}\n"
+        );
+        parse(&text).unwrap().plan(None, "").unwrap().stages[1].notes.join("\n")
+    };
+    assert!(notes("cell_size = \"20 m\"").contains("finer than the mesh"), "{}", notes("cell_size = \"20 m\""));
+    assert_eq!(notes("cell_size = \"20 m\"\nmethod = \"cubic\""), "");
+    assert_eq!(notes("cell_size = \"100 m\""), "");
 }

@@ -35,6 +35,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::grid::Lattice;
+use crate::math::ordered_bits;
 
 /// Order of the differences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,7 +127,7 @@ pub fn march(
     for (site, t) in seeds {
         if t < time[site] {
             time[site] = t;
-            heap.push(Reverse((ordered(t), site)));
+            heap.push(Reverse((ordered_bits(t), site)));
         }
     }
     while let Some(Reverse((_, site))) = heap.pop() {
@@ -140,17 +141,11 @@ pub fn march(
             let t = update(&Front { lattice, time: &time, accepted: &accepted }, near);
             if t < time[near] {
                 time[near] = t;
-                heap.push(Reverse((ordered(t), near)));
+                heap.push(Reverse((ordered_bits(t), near)));
             }
         }
     }
     time
-}
-
-/// Bits in the order of the numbers.
-fn ordered(t: f64) -> u64 {
-    let bits = t.to_bits();
-    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
 }
 
 /// Distance of every site to the nearest seed, m.

@@ -22,6 +22,9 @@ pub fn near<'a>(features: impl Iterator<Item = &'a Feature>, buffer: f64, places
                     buckets.mark_line(&[flat(*a), flat(*b)], buffer, places, &mut marked);
                 }
             }
+            Geometry::Points(points) => {
+                points.iter().for_each(|p| buckets.mark_line(&[[p[0], p[1]]], buffer, places, &mut marked));
+            }
             _ => buckets.mark_line(&feature.places(), buffer, places, &mut marked),
         }
     }

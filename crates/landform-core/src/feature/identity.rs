@@ -72,6 +72,7 @@ impl Features {
 /// Four times the median distance between neighbouring places.
 fn typical_step<'a>(features: impl Iterator<Item = &'a Feature>) -> f64 {
     let mut steps: Vec<f64> = features
+        .filter(|f| !matches!(f.geometry, super::Geometry::Points(_)))
         .flat_map(|f| f.places().windows(2).map(|w| length(w[0], w[1])).collect::<Vec<_>>())
         .filter(|d| *d > 0.0)
         .collect();

@@ -49,6 +49,10 @@ pub enum FeatureKind {
     Spring,
     /// A place where a passage opens to the surface.
     Entrance,
+    /// The middle of a road.
+    Path,
+    /// Objects of one kind that stand on the ground, such as trees.
+    Object,
 }
 
 impl FeatureKind {
@@ -63,6 +67,8 @@ impl FeatureKind {
         ("sinkholes", Self::Sinkhole),
         ("springs", Self::Spring),
         ("entrances", Self::Entrance),
+        ("paths", Self::Path),
+        ("objects", Self::Object),
     ];
 
     /// The word for one: "river".
@@ -77,6 +83,8 @@ impl FeatureKind {
             Self::Sinkhole => "sinkhole",
             Self::Spring => "spring",
             Self::Entrance => "entrance",
+            Self::Path => "path",
+            Self::Object => "object",
         }
     }
 
@@ -91,6 +99,8 @@ impl FeatureKind {
         match self {
             Self::Conduit | Self::Sinkhole | Self::Spring => &["karst_network", "cave"],
             Self::Entrance => &["karst_network"],
+            Self::Path => &["carve_path"],
+            Self::Object => &["scatter"],
             _ => &[],
         }
     }
@@ -125,6 +135,8 @@ pub type Polygon = Vec<Vec<[f64; 2]>>;
 pub enum Geometry {
     /// A place.
     Point([f64; 3]),
+    /// Places, in no order that means anything.
+    Points(Vec<[f64; 3]>),
     /// A line.
     Line(Vec<[f64; 3]>),
     /// A line in the plane; closed ones begin and end at the same place.
@@ -191,6 +203,22 @@ impl Feature {
         self.properties.iter().find(|p| p.0 == name).map(|p| &p.1)
     }
 
+    /// A property that is a number, in the unit that its name ends with.
+    ///
+    /// ```
+    /// use landform_core::feature::{Feature, FeatureKind, Geometry, Property};
+    ///
+    /// let properties = vec![("width_m".into(), Property::Number(8.0))];
+    /// let road = Feature { id: "1".into(), kind: FeatureKind::Path, geometry: Geometry::Line(Vec::new()), properties };
+    /// assert_eq!((road.number("width_m"), road.number("depth_m")), (Some(8.0), None));
+    /// ```
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.property(name) {
+            Some(Property::Number(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
     /// A property that has a number for each place of a line.
     ///
     /// ```
@@ -249,6 +277,29 @@ impl Features {
         self.0.is_empty()
     }
 
+    /// Adds a feature to those of its kind; one with the same id gets another: "path 1", "path
+    /// 1-2".
+    ///
+    /// ```
+    /// use landform_core::feature::{Feature, FeatureKind, Features, Geometry};
+    ///
+    /// let geometry = Geometry::Points(vec![[0.0; 3]]);
+    /// let trees = Feature { id: "tree".into(), kind: FeatureKind::Object, geometry, properties: Vec::new() };
+    /// let mut features = Features::default();
+    /// features.add(trees.clone());
+    /// features.add(trees);
+    /// let ids: Vec<&str> = features.iter().map(|f| f.id.as_str()).collect();
+    /// assert_eq!(ids, ["tree", "tree-2"]);
+    /// ```
+    pub fn add(&mut self, mut feature: Feature) {
+        let is_used = |id: &str| self.of(feature.kind).any(|f| f.id == id);
+        let others = (2..).map(|n: u32| format!("{}-{n}", feature.id));
+        if let Some(id) = std::iter::once(feature.id.clone()).chain(others).find(|id| !is_used(id)) {
+            feature.id = id;
+        }
+        self.0.push(feature);
+    }
+
     /// Replaces all features of the kinds that `found` holds; they keep the ids of those that they
     /// lie nearest to.
     pub fn update(&mut self, mut found: Self) {
@@ -271,6 +322,7 @@ impl Feature {
         let flat = |p: &[f64; 3]| [p[0], p[1]];
         match &self.geometry {
             Geometry::Point(p) => vec![flat(p)],
+            Geometry::Points(points) => points.iter().map(flat).collect(),
             Geometry::Line(line) => line.iter().map(flat).collect(),
             Geometry::FlatLine(line) => line.clone(),
             Geometry::Area(parts) => parts.iter().flatten().flatten().copied().collect(),

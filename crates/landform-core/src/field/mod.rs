@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Result};
+use crate::{Error, Result, parallel};
 
 /// The name of a field with its type, unit and meaning: a misspelt field is a compile error.
 #[derive(Debug)]
@@ -182,6 +182,58 @@ impl Fields {
         }
         self.all.insert(name.into(), values);
         Ok(())
+    }
+
+    /// Adds values to a field, in its SI unit; one that was not there begins with zeros.
+    ///
+    /// ```
+    /// use landform_core::field::{Fields, names};
+    ///
+    /// let mut fields = Fields::sized(2);
+    /// fields.add(&names::INCISION, &[0.0, 1.0]);
+    /// fields.add(&names::INCISION, &[5.0, 5.0]);
+    /// assert_eq!(fields.get(&names::INCISION, "a map")?, [5.0, 6.0]);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn add(&mut self, key: &Key<f64>, values: &[f64]) {
+        let mut sums = self.taken(key);
+        parallel::map_pieces_mut([&mut sums], parallel::PIECE, |first, [sums]| {
+            sums.iter_mut().zip(&values[first..]).for_each(|(sum, value)| *sum += value);
+        });
+        self.all.insert(key.name.into(), Values::F64(sums));
+    }
+
+    /// The field of a key, taken out; zeros where there is none.
+    fn taken(&mut self, key: &Key<f64>) -> Vec<f64> {
+        match self.all.remove(key.name) {
+            Some(Values::F64(values)) => values,
+            _ => vec![0.0; self.nodes],
+        }
+    }
+
+    /// Adds what is above 0 of every value to one field, and what is below 0, as a positive number,
+    /// to another.
+    ///
+    /// ```
+    /// use landform_core::field::{Fields, names};
+    ///
+    /// let mut fields = Fields::sized(2);
+    /// fields.add_parts(&names::INCISION, &names::DEPOSITION, &[2.0, -3.0]);
+    /// assert_eq!(fields.get(&names::INCISION, "a map")?, [2.0, 0.0]);
+    /// assert_eq!(fields.get(&names::DEPOSITION, "a map")?, [0.0, 3.0]);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn add_parts(&mut self, above: &Key<f64>, below: &Key<f64>, values: &[f64]) {
+        let (mut more, mut less) = (self.taken(above), self.taken(below));
+        parallel::for_pieces_mut2(&mut more, &mut less, parallel::PIECE, |first, more, less| {
+            for ((more, less), &value) in more.iter_mut().zip(less).zip(&values[first..]) {
+                *more += if value > 0.0 { value } else { 0.0 };
+                *less += if value < 0.0 { -value } else { 0.0 };
+            }
+        });
+        for (key, sums) in [(above, more), (below, less)] {
+            self.all.insert(key.name.into(), Values::F64(sums));
+        }
     }
 
     /// Takes a field out.

@@ -29,6 +29,34 @@ pub const EROSION_RATE: Key<f64> = Key::new(
     "m/s",
     "rate at which rivers and slopes lowered the ground in the last step; negative where they laid down",
 );
+/// Ground that running water laid down.
+///
+/// ```
+/// assert_eq!(landform_core::field::names::DEPOSITION.unit, "m");
+/// ```
+pub const DEPOSITION: Key<f64> = Key::new(
+    "deposition",
+    "m",
+    "height that running water raised the ground by, summed over all steps; what it took again counts as laid down",
+);
+/// Ground that running water took.
+///
+/// ```
+/// assert_eq!(landform_core::field::names::INCISION.unit, "m");
+/// ```
+pub const INCISION: Key<f64> = Key::new(
+    "incision",
+    "m",
+    "height that running water and slopes that fall into it lowered the ground by, summed over all steps",
+);
+/// Fields that are sums over the steps of all runs.
+///
+/// ```
+/// use landform_core::field::names;
+///
+/// assert!(names::SUMS.iter().all(|key| key.unit == "m"));
+/// ```
+pub const SUMS: [&Key<f64>; 2] = [&DEPOSITION, &INCISION];
 /// Rainfall.
 pub const RAINFALL: Key<f64> = Key::new("rainfall", "m/s", "rainfall");
 /// Slope of the ground.
@@ -70,6 +98,24 @@ pub const DEPTH_SUFFIX: &str = "_depth";
 /// The material at the surface.
 pub const SURFACE_MATERIAL: Key<u8> =
     Key::new("surface_material", "1", "number of the material at the surface, as the legend beside the file tells");
+/// Parts of a coast with reefs, as classes of [`COAST_LABELS`].
+///
+/// ```
+/// use landform_core::field::names;
+///
+/// assert_eq!(names::COAST_LABELS.len(), 9);
+/// ```
+pub const LABELS: Key<u8> =
+    Key::new("labels", "1", "part of the coast that the place belongs to, as the legend beside the file tells");
+/// Names of the classes of [`LABELS`], by their number; 0 is nodata.
+///
+/// ```
+/// use landform_core::field::names::COAST_LABELS;
+///
+/// assert_eq!((COAST_LABELS[1], COAST_LABELS[8]), ("mountain", "ocean"));
+/// ```
+pub const COAST_LABELS: &[&str] =
+    &["nodata", "mountain", "island", "beach", "lagoon", "reef flat", "reef crest", "reef front", "ocean"];
 /// Strength of the wind.
 pub const WIND: Key<f64> =
     Key::new("wind", "1", "strength of the wind over the ground, 1 where nothing stands in its way");
@@ -120,6 +166,8 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (CHANNEL_SLOPE.name, CHANNEL_SLOPE.unit, CHANNEL_SLOPE.meaning),
     (CHI.name, CHI.unit, CHI.meaning),
     (EROSION_RATE.name, EROSION_RATE.unit, EROSION_RATE.meaning),
+    (DEPOSITION.name, DEPOSITION.unit, DEPOSITION.meaning),
+    (INCISION.name, INCISION.unit, INCISION.meaning),
     (RAINFALL.name, RAINFALL.unit, RAINFALL.meaning),
     (SLOPE.name, SLOPE.unit, SLOPE.meaning),
     (ASPECT.name, ASPECT.unit, ASPECT.meaning),
@@ -131,6 +179,7 @@ pub const ALL: &[(&str, &str, &str)] = &[
     (SPREAD_AREA.name, SPREAD_AREA.unit, SPREAD_AREA.meaning),
     (MASK.name, MASK.unit, MASK.meaning),
     (SURFACE_MATERIAL.name, SURFACE_MATERIAL.unit, SURFACE_MATERIAL.meaning),
+    (LABELS.name, LABELS.unit, LABELS.meaning),
     (WIND.name, WIND.unit, WIND.meaning),
     (SHELTER.name, SHELTER.unit, SHELTER.meaning),
     (SHORE_AGE.name, SHORE_AGE.unit, SHORE_AGE.meaning),

@@ -315,6 +315,22 @@ impl<T: Terrain> Model<T> {
         processes.iter_mut().try_for_each(|process| process.finish(terrain, environment))
     }
 
+    /// What users should know of the ground after [`Model::finish`].
+    ///
+    /// ```
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::sim::Model;
+    /// use landform_core::terrain::HeightField;
+    ///
+    /// let ground = HeightField::new(Grid::new(Shape::new(3, 3), [10.0; 2])?, vec![0.0; 9])?;
+    /// // Nothing runs on it, and nothing is told of it.
+    /// assert_eq!(Model::new(ground).notes().count(), 0);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn notes(&self) -> impl Iterator<Item = String> {
+        self.processes.iter().filter_map(|process| process.note(&self.terrain))
+    }
+
     /// Changes the terrain from outside. Volume that the edit adds or takes is counted as supplied
     /// or as removed, so that mass closes. Sediment that processes carried is counted as exported.
     /// Then the processes begin anew on the terrain.

@@ -15,6 +15,7 @@ pub(super) trait Running<T: Terrain>: Send {
     fn begin(&mut self, terrain: &T, at: &Step) -> Result<()>;
     fn step(&mut self, terrain: &mut T, at: &Step) -> Result<Change>;
     fn finish(&mut self, terrain: &mut T, environment: &Environment) -> Result<()>;
+    fn note(&self, terrain: &T) -> Option<String>;
     fn save(&self) -> Result<Vec<u8>>;
     fn load(&mut self, bytes: &[u8]) -> Result<()>;
 }
@@ -67,6 +68,10 @@ impl<T: Terrain, P: Process<T>> Running<T> for Run<P, P::State> {
     fn finish(&mut self, terrain: &mut T, environment: &Environment) -> Result<()> {
         let state = self.state.as_mut().ok_or_else(|| not_started(P::NAME))?;
         self.params.finish(terrain, state, environment)
+    }
+
+    fn note(&self, terrain: &T) -> Option<String> {
+        self.state.as_ref().and_then(|s| self.params.note(terrain, s))
     }
 
     fn save(&self) -> Result<Vec<u8>> {

@@ -10,7 +10,7 @@ mod read;
 mod row;
 
 pub use parameters::Refusal;
-pub use read::{ReadStage, bytes_a_node_of};
+pub use read::{ReadStage, bytes_a_node_of, warnings_of};
 pub use row::{Act, Form, Run, Stage, Verb};
 
 #[doc(hidden)]

@@ -106,6 +106,17 @@ impl ReadStage {
         self.stage.read(&coarser(&(self.stage.form.schema)(), self.parameters(), factor))
     }
 
+    /// The fastest that it raises ground by itself, m/s, where that is known before a run.
+    fn raises(&self) -> Option<f64> {
+        (self.stage.form.raises)(&*self.parameters.value)
+    }
+
+    /// What a user should know before it runs on ground like `before`, which is raised at up to
+    /// `raised` (m/s) on the same clock.
+    fn warning(&self, before: &Estimate, raised: f64) -> Option<String> {
+        (self.stage.form.warning)(&*self.parameters.value, before, raised)
+    }
+
     /// The clock that it brings with it, if it is a process that does.
     pub fn own_clock(&self) -> Option<OwnClock> {
         match self.stage.acts.first()?.run {
@@ -184,6 +195,21 @@ impl ReadStage {
             _ => Ok(()),
         }
     }
+}
+
+/// What users should know of stages that run together on ground like `before`, each beside its
+/// name.
+///
+/// ```
+/// use landform_core::stage::warnings_of;
+/// use landform_core::verb::Estimate;
+///
+/// assert!(warnings_of(&[], &Estimate::default()).is_empty());
+/// ```
+pub fn warnings_of(parts: &[ReadStage], before: &Estimate) -> Vec<String> {
+    let raised = parts.iter().filter_map(ReadStage::raises).sum();
+    let told = |part: &ReadStage| part.warning(before, raised).map(|what| format!("`{}`: {what}", part.stage.name));
+    parts.iter().filter_map(told).collect()
 }
 
 /// Bytes a node that stages take which run together on a kind of terrain.

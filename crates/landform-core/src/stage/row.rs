@@ -90,6 +90,10 @@ pub struct Form {
     pub reach: fn() -> Reach,
     /// Checks parameters against the extent of a map, m.
     pub(super) check_on: fn(&dyn Any, [f64; 2]) -> Result<()>,
+    /// The fastest that the stage raises ground by itself, m/s.
+    pub(super) raises: fn(&dyn Any) -> Option<f64>,
+    /// What a user should know before a run on such ground, raised at up to a rate, m/s.
+    pub(super) warning: fn(&dyn Any, &Estimate, f64) -> Option<String>,
     /// Reads and validates.
     pub(super) read: fn(&Json) -> Result<Parameters, Refusal>,
 }
@@ -107,6 +111,8 @@ impl Form {
             defaults: defaults_of::<P>,
             reach: || P::default().reach(),
             check_on: |params, extent| typed::<P>(params)?.check_on(extent),
+            raises: |params| typed::<P>(params).ok()?.raises(),
+            warning: |params, before, raised| typed::<P>(params).ok()?.warning(before, raised),
             read: |json| {
                 let params: P = serde_path_to_error::deserialize(json).map_err(Refusal::Shape)?;
                 params.validate().map_err(Refusal::Value)?;

@@ -2,7 +2,7 @@
 
 use super::convert::{ValuesRaster, elevation_raster, sample_by};
 use super::{HeightField, Interpolation, Layer, Layers, Mesh, NodeSurface, Rasterize, height_field};
-use crate::field::Fields;
+use crate::field::{Fields, names};
 use crate::grid::{Domain, Edges, Grid, Shape, Status};
 use crate::parallel;
 
@@ -97,12 +97,18 @@ fn add_change<T: NodeSurface>(terrain: &mut T, [before, after]: [&T; 2], spread:
     let mut layers = terrain.layers().cloned();
     if let (Some(layers), Some(new)) = (&mut layers, after.layers()) {
         let bare = Layers::rock(new.materials(), old.len());
-        layers.add_change(before.layers().unwrap_or(&bare), new, spread);
+        layers.add_change(before.layers().unwrap_or(&bare), new, &spread);
     }
     let domain = terrain.domain();
     terrain.change(Layer::Bedrock, |z| set_interior(z, domain.status(), |i, z| z + raised[i]));
     // The layers were changed along with the surface, not by it.
     terrain.set_layers(layers);
+    for key in names::SUMS {
+        let Ok(new) = after.fields().get(key, "") else { continue };
+        let old = before.fields().get(key, "").ok();
+        let more = spread(&parallel::map(new.len(), |i| or_none(new[i] - old.map_or(0.0, |old| old[i]))));
+        terrain.fields_mut().add(key, &more);
+    }
 }
 
 /// Nodes that keep their distance, found through a lattice of cells that hold one each.

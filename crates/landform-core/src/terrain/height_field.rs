@@ -130,15 +130,24 @@ impl HeightField {
     /// Bilinear elevation (m) at a position, and its slope east and north; none outside and beside
     /// nodata.
     pub(super) fn height_and_slope(&self, position: [f64; 2]) -> Option<(f64, [f64; 2])> {
-        let height = Some(self.elevation_at(position)).filter(|z| !z.is_nan())?;
         let Shape { rows, cols } = self.grid.shape;
         let ([u, v], [dx, dy]) = (self.grid.col_row(position), self.grid.spacing);
+        let edge = 1e-9;
+        if !(u >= -edge && v >= -edge && u <= (cols - 1) as f64 + edge && v <= (rows - 1) as f64 + edge) {
+            return None;
+        }
         let (u, v) = (u.clamp(0.0, (cols - 1) as f64), v.clamp(0.0, (rows - 1) as f64));
         let (col, row) = ((u as usize).min(cols.saturating_sub(2)), (v as usize).min(rows.saturating_sub(2)));
         let (east, south) = ((col + 1).min(cols - 1), (row + 1).min(rows - 1));
         let z = |row: usize, col: usize| self.elevation[row * cols + col];
         let (fu, fv) = (u - col as f64, v - row as f64);
         let [a, b, c, d] = [z(row, col), z(row, east), z(south, col), z(south, east)];
+        let whole = (a * (1.0 - fu) + b * fu) * (1.0 - fv) + (c * (1.0 - fu) + d * fu) * fv;
+        // Beside nodata only what has a weight counts.
+        let height = if whole.is_nan() { self.elevation_at(position) } else { whole };
+        if height.is_nan() {
+            return None;
+        }
         let slope = [((b - a) * (1.0 - fv) + (d - c) * fv) / dx, ((a - c) * (1.0 - fu) + (b - d) * fu) / dy];
         // Beside nodata the surface may end at the position itself.
         Some((height, slope.map(|s| if s.is_nan() { 0.0 } else { s })))

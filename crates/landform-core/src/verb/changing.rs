@@ -63,6 +63,22 @@ impl<D: Dimension> Changing<D> {
 }
 
 impl<D: Dimension> Changing<D> {
+    /// The greatest value of its course, SI; none without a value.
+    ///
+    /// ```
+    /// use landform_core::units::Rate;
+    /// use landform_core::verb::Changing;
+    ///
+    /// assert_eq!(Changing::from(Rate::of(2.0)).greatest(), Some(Rate::of(2.0).si()));
+    /// ```
+    pub fn greatest(&self) -> Option<f64> {
+        match self {
+            Self::Constant(q) => Some(q.si()),
+            Self::Linear { values, .. } => values.iter().map(|q| q.si()).reduce(f64::max),
+            Self::Cycle { mean, amplitude, .. } => Some(mean.si() + amplitude.si().abs()),
+        }
+    }
+
     /// The mean value from one time (s) to a later one, SI: exact for lines, by Simpson's rule in
     /// sixteen parts for cycles.
     pub fn mean(&self, from: f64, to: f64) -> f64 {

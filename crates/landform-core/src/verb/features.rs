@@ -27,6 +27,10 @@ pub enum FeatureWord {
     Springs,
     /// Places where passages open to the surface.
     Entrances,
+    /// Roads.
+    Paths,
+    /// Objects that stand on the ground.
+    Objects,
 }
 
 impl FeatureWord {
@@ -42,6 +46,8 @@ impl FeatureWord {
             Self::Sinkholes => FeatureKind::Sinkhole,
             Self::Springs => FeatureKind::Spring,
             Self::Entrances => FeatureKind::Entrance,
+            Self::Paths => FeatureKind::Path,
+            Self::Objects => FeatureKind::Object,
         }
     }
 }

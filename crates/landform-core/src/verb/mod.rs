@@ -20,6 +20,7 @@ mod output;
 mod params;
 mod reach;
 mod role;
+mod spans;
 mod varying;
 mod wind;
 
@@ -39,10 +40,11 @@ pub use history::{Event, Landscape};
 pub use maps::{Image, Maps, NoMaps};
 pub use outcome::{Budget, Outcome, Stopped};
 pub use outlets::{BorderWhere, Mask, NamedOutlets, Outlets};
-pub use output::{MemoryOutput, Output, check_path, file_path, relative_path};
+pub use output::{MemoryOutput, Output, check_path, file_path, is_plain_name, relative_path};
 pub use params::{Params, Source, properties, schema_of, validate_ranges};
 pub use reach::{Margin, Reach, Window};
 pub use role::{Role, coarser};
+pub use spans::{LengthSpan, SlopeSpan};
 pub use varying::{Lookup, Resolved, Varying};
 pub use wind::{Rose, Wind};
 
@@ -66,6 +68,20 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Mean distance of nodes, m; none where extent or nodes are not known.
+    ///
+    /// ```
+    /// use landform_core::verb::Estimate;
+    ///
+    /// let map = Estimate { extent: [1000.0, 500.0], nodes: 20_000, ..Estimate::default() };
+    /// assert_eq!(map.spacing(), Some(5.0));
+    /// assert_eq!(Estimate::default().spacing(), None);
+    /// ```
+    pub fn spacing(&self) -> Option<f64> {
+        let spacing = (self.extent[0] * self.extent[1] / self.nodes as f64).sqrt();
+        (spacing > 0.0 && spacing.is_finite()).then_some(spacing)
+    }
+
     /// Number of nodes of a raster over this extent, with cells of so many metres.
     ///
     /// ```
@@ -216,6 +232,11 @@ pub trait Process<T: Terrain>: Params {
     /// # Errors
     /// If a numerical method fails.
     fn step(&self, terrain: &mut T, state: &mut Self::State, at: &Step) -> Result<Change>;
+
+    /// What a user should know of the ground after the last step and [`Process::finish`].
+    fn note(&self, _terrain: &T, _state: &Self::State) -> Option<String> {
+        None
+    }
 
     /// Adds derived fields after the last step.
     ///

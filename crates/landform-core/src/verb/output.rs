@@ -45,6 +45,18 @@ impl Output for MemoryOutput {
     }
 }
 
+/// Whether a text is a name of letters, digits, spaces, _ and -, at most 60 bytes long.
+///
+/// ```
+/// use landform_core::verb::is_plain_name;
+///
+/// assert!(is_plain_name("dead tree") && !is_plain_name("a/b") && !is_plain_name(" "));
+/// ```
+pub fn is_plain_name(name: &str) -> bool {
+    let is_plain = |c: char| c.is_alphanumeric() || " _-".contains(c);
+    !name.trim().is_empty() && name.len() <= 60 && name.chars().all(is_plain)
+}
+
 /// Refuses a path that names no file or does not end as one of `ends`, given without their dot.
 ///
 /// # Errors

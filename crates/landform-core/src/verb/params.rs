@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::Reach;
+use super::{Estimate, Reach};
 use crate::error::Range;
 use crate::feature::FeatureKind;
 use crate::{Error, Result};
@@ -95,6 +95,17 @@ pub trait Params: Clone + Debug + Default + Serialize + DeserializeOwned + JsonS
     /// If a parameter does not fit the map; the error names the first.
     fn check_on(&self, _extent: [f64; 2]) -> Result<()> {
         Ok(())
+    }
+
+    /// The fastest that the stage raises ground by itself, m/s, where that is known before a run.
+    fn raises(&self) -> Option<f64> {
+        None
+    }
+
+    /// What a user should know before a run of ground like `before`, which is raised at up to
+    /// `raised` (m/s) on the same clock: not wrong, but seldom wanted.
+    fn warning(&self, _before: &Estimate, _raised: f64) -> Option<String> {
+        None
     }
 
     /// Ranges, then [`Params::check`].

@@ -26,6 +26,7 @@ pub(super) fn json_of(feature: &Feature, place: &impl NodeSurface) -> Json {
 fn in_metres(feature: &Feature) -> Json {
     let (geometry, coordinates) = match &feature.geometry {
         Geometry::Point(p) => ("Point", json!(p)),
+        Geometry::Points(points) => ("MultiPoint", json!(points)),
         Geometry::Line(line) => ("LineString", json!(line)),
         Geometry::FlatLine(line) => ("LineString", json!(line)),
         Geometry::Area(parts) if parts.len() == 1 && feature.kind == FeatureKind::Lake => ("Polygon", json!(parts[0])),
@@ -45,7 +46,8 @@ fn in_metres(feature: &Feature) -> Json {
     json!({ "geometry": { "type": geometry, "coordinates": coordinates }, "properties": properties, "type": "Feature" })
 }
 
-fn value(property: &Property) -> Json {
+/// A property as JSON.
+pub(super) fn value(property: &Property) -> Json {
     match property {
         Property::Flag(v) => json!(v),
         Property::Whole(v) => json!(v),

@@ -18,29 +18,38 @@
 //! ```
 
 mod geojson;
+mod layout;
+mod places;
 mod write_contours;
 mod write_features;
 mod write_heightmap;
 mod write_maps;
 mod write_mesh;
 mod write_picture;
+mod write_points;
 mod write_povray;
 mod write_raster;
 mod write_report;
+mod write_splines;
 mod write_survey;
 mod write_volume;
+mod write_weights;
 
+pub use places::PlacePreset;
 pub use write_contours::WriteContours;
 pub use write_features::WriteFeatures;
 pub use write_heightmap::{Preset, WriteHeightmap};
 pub use write_maps::WriteMaps;
 pub use write_mesh::{MeshSurface, VoxelSurface, WriteMesh};
 pub use write_picture::{ViewKind, WritePicture};
+pub use write_points::WritePoints;
 pub use write_povray::WritePovray;
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
+pub use write_splines::WriteSplines;
 pub use write_survey::WriteSurvey;
 pub use write_volume::WriteVolume;
+pub use write_weights::{Bound, WeightLayer, WeightPreset, WriteWeights};
 
 use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
@@ -52,8 +61,11 @@ landform_core::stages! {
     export WriteMaps where HeightField, Mesh;
     export WriteMesh where HeightField, Mesh, VoxelGrid;
     export WritePicture where HeightField, Mesh, VoxelGrid;
+    export WritePoints where HeightField, Mesh;
     export WritePovray where HeightField, Mesh;
     export WriteReport where HeightField, Mesh;
+    export WriteSplines where HeightField, Mesh;
     export WriteSurvey where HeightField, Mesh, VoxelGrid;
     export WriteVolume where VoxelGrid;
+    export WriteWeights where HeightField;
 }

@@ -83,6 +83,9 @@ impl Export<HeightField> for WriteRaster {
                 let materials = layers.materials().all().iter().enumerate();
                 materials.map(|(k, m)| (k as u8, m.name.clone())).collect()
             }
+            (_, Samples::Classes) if self.field == names::LABELS.name => {
+                names::COAST_LABELS.iter().enumerate().map(|(k, name)| (k as u8, (*name).to_string())).collect()
+            }
             _ => Vec::new(),
         };
         let format = raster_format_to_write(Path::new(&self.path))?;
@@ -96,6 +99,7 @@ impl Export<HeightField> for WriteRaster {
             legend,
             seed: landscape.seed,
             geotiff: GeotiffOptions { data_type, compression: self.compression, tile },
+            spread: None,
         };
         // What is not asked for as 32-bit floats is not blurred by them.
         let is_fine = samples == Samples::Real && has_float64(&self.path) && file.needs_float64(SEEN);

@@ -86,12 +86,23 @@ pub(crate) fn write_rgb(file: &RasterFile) -> Result<Vec<u8>> {
     write_channels(file, &["R", "G", "B"])
 }
 
+/// Words of 32 bits, bit by bit as the floats of one channel, red.
+///
+/// # Errors
+/// [`Error::Format`].
+pub(crate) fn write_words(words: &[u32], shape: Shape) -> Result<Vec<u8>> {
+    write_samples(words.iter().map(|&w| f32::from_bits(w)).collect(), shape, &["R"], "control")
+}
+
 fn write_channels(file: &RasterFile, names: &[&str]) -> Result<Vec<u8>> {
-    let shape = file.grid.shape;
-    let samples: Vec<f32> = file.values.iter().map(|&v| v as f32).collect();
+    let samples = file.values.iter().map(|&v| v as f32).collect();
+    write_samples(samples, file.grid.shape, names, "elevation")
+}
+
+fn write_samples(samples: Vec<f32>, shape: Shape, names: &[&str], layer: &str) -> Result<Vec<u8>> {
     let channel = |name: &&str| AnyChannel::new(Text::new_or_panic(name), FlatSamples::F32(samples.clone()));
     let channels = AnyChannels::sort(names.iter().map(channel).collect());
-    let attributes = LayerAttributes::named(Text::new_or_panic("elevation"));
+    let attributes = LayerAttributes::named(Text::new_or_panic(layer));
     let layer = Layer::new((shape.cols, shape.rows), attributes, Encoding::SMALL_LOSSLESS, channels);
     let mut bytes = Cursor::new(Vec::new());
     Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes).map_err(|e| Error::format(NAME, e))?;

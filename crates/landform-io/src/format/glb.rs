@@ -4,9 +4,9 @@
 //! glTF 2.0 specification, sections 3.6 (accessors want min and max) and 4.4 (binary container).
 
 use landform_core::{Error, Result};
-use serde_json::json;
+use serde_json::{Value, json};
 
-use super::MeshFile;
+use super::{MeshFile, Texture};
 
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
@@ -25,7 +25,7 @@ pub(super) fn write(mesh: &MeshFile) -> Result<Vec<u8>> {
     buffer.extend(normals.iter().flatten().flat_map(|v| v.to_le_bytes()));
     buffer.extend(mesh.triangles.iter().flatten().flat_map(|v| v.to_le_bytes()));
     let count = points.len();
-    let document = json!({
+    let mut document = json!({
         "asset": { "version": "2.0", "generator": concat!("landform ", env!("CARGO_PKG_VERSION")) },
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
@@ -46,6 +46,9 @@ pub(super) fn write(mesh: &MeshFile) -> Result<Vec<u8>> {
         ],
         "buffers": [{ "byteLength": buffer.len() }],
     });
+    if let Some(texture) = &mesh.texture {
+        add_texture(&mut document, &mut buffer, texture);
+    }
     let mut text = serde_json::to_vec(&document).map_err(|e| Error::format("glTF", e))?;
     text.resize(text.len().next_multiple_of(4), b' ');
     let total = u32::try_from(12 + 8 + text.len() + 8 + buffer.len()).map_err(|e| Error::format("glTF", e))?;
@@ -59,4 +62,32 @@ pub(super) fn write(mesh: &MeshFile) -> Result<Vec<u8>> {
         bytes.extend(chunk);
     }
     Ok(bytes)
+}
+
+/// Puts a picture into the buffer, and on the material: its own colours, without tint.
+fn add_texture(document: &mut Value, buffer: &mut Vec<u8>, texture: &Texture) {
+    let places = buffer.len();
+    buffer.extend(texture.places.iter().flatten().flat_map(|v| v.to_le_bytes()));
+    let picture = buffer.len();
+    buffer.extend(&texture.png);
+    // The chunk ends at a multiple of four bytes.
+    buffer.resize(buffer.len().next_multiple_of(4), 0);
+    let mut push = |list: &str, item: Value| match &mut document[list] {
+        Value::Array(items) => items.push(item),
+        other => *other = json!([item]),
+    };
+    push("bufferViews", json!({ "buffer": 0, "byteOffset": places, "byteLength": picture - places, "target": 34962 }));
+    push("bufferViews", json!({ "buffer": 0, "byteOffset": picture, "byteLength": texture.png.len() }));
+    push(
+        "accessors",
+        json!({ "bufferView": 3, "componentType": FLOAT, "count": texture.places.len(), "type": "VEC2" }),
+    );
+    push("images", json!({ "bufferView": 4, "mimeType": "image/png", "name": "colours" }));
+    push("samplers", json!({ "magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071 }));
+    push("textures", json!({ "sampler": 0, "source": 0 }));
+    document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = json!(3);
+    let surface = &mut document["materials"][0]["pbrMetallicRoughness"];
+    surface["baseColorFactor"] = json!([1.0, 1.0, 1.0, 1.0]);
+    surface["baseColorTexture"] = json!({ "index": 0 });
+    document["buffers"][0]["byteLength"] = json!(buffer.len());
 }

@@ -21,12 +21,30 @@ pub struct MeshFile {
     /// Middle of the whole that this is a part of, m, so that parts stored about it fit together.
     /// If none, it is its own middle.
     pub middle: Option<[f64; 2]>,
+    /// A picture on it; formats other than glTF leave it out.
+    pub texture: Option<Texture>,
+}
+
+/// A picture that lies on a surface.
+///
+/// ```
+/// use landform_io::format::Texture;
+///
+/// let texture = Texture { places: vec![[0.5, 0.5]], png: Vec::new() };
+/// assert_eq!(texture.places.len(), 1);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    /// Place of each point on the picture, 0 to 1: to the right, and down.
+    pub places: Vec<[f32; 2]>,
+    /// The picture, as PNG.
+    pub png: Vec<u8>,
 }
 
 /// The triangles of a mesh.
 pub fn mesh_file_from_mesh(mesh: &Mesh) -> MeshFile {
     let points = mesh.positions().iter().zip(mesh.elevation()).map(|(p, z)| [p[0], p[1], *z]).collect();
-    MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None }
+    MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None, texture: None }
 }
 
 /// The faces of voxels, or their surface nets, two triangles each; `rounds` of smoothing, in which
@@ -42,7 +60,7 @@ pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32, nets: bool) -> Mes
     let side = [dx, dy, ground.height()];
     let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + v[k] * side[k]);
     let points = smooth(&quads, size, rounds, nets).into_iter().map(at).collect();
-    MeshFile { points, triangles: quads.triangles(), middle: None }
+    MeshFile { points, triangles: quads.triangles(), middle: None, texture: None }
 }
 
 /// The walls of the cave alone, as seen from inside; closed where it leaves the box.
@@ -73,13 +91,13 @@ pub(crate) fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32, nets: bool) -> 
             *new
         }));
     }
-    MeshFile { points, triangles, middle: None }
+    MeshFile { points, triangles, middle: None, texture: None }
 }
 
 /// Two triangles a cell of a raster; holes stay open.
 pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
     let (points, triangles) = mesh_parts_from_height_field(field);
-    MeshFile { points, triangles, middle: Some(middle(field)) }
+    MeshFile { points, triangles, middle: Some(middle(field)), texture: None }
 }
 
 /// The surface of the water on a raster where it is at least `least` metres deep, by its field of
@@ -98,7 +116,7 @@ pub fn mesh_file_of_water(field: &HeightField, least: f64) -> Result<MeshFile> {
     if triangles.is_empty() {
         return Err(Error::NoFace { what: "the sheet of water" });
     }
-    Ok(MeshFile { points, triangles, middle: Some(middle(field)) })
+    Ok(MeshFile { points, triangles, middle: Some(middle(field)), texture: None })
 }
 
 fn middle(field: &HeightField) -> [f64; 2] {
@@ -127,6 +145,9 @@ impl MeshFile {
         }
         self.points.extend_from_within(..);
         self.points[n as usize..].iter_mut().for_each(|p| p[2] = floor);
+        if let Some(texture) = &mut self.texture {
+            texture.places.extend_from_within(..);
+        }
         self
     }
 

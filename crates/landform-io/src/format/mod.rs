@@ -48,11 +48,13 @@ mod xml;
 
 pub use animation::{animation_extension, encode_animation};
 pub use beside::sidecar_path;
-pub(crate) use exr::write_rgb as write_exr_rgb;
+pub(crate) use exr::{write_rgb as write_exr_rgb, write_words as write_exr_words};
 pub use geotiff_options::{Compression, DataType, GeotiffOptions};
 pub(crate) use mesh::mesh_file_of_cave;
-pub use mesh::{MeshFile, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels, mesh_file_of_water};
-pub(crate) use picture::encode_grey;
+pub use mesh::{
+    MeshFile, Texture, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels, mesh_file_of_water,
+};
+pub(crate) use picture::{encode_bytes, encode_grey, encode_rgba};
 pub use picture::{encode_png, read_grey};
 pub use raster_file::{RasterFile, Samples, blurred};
 pub(crate) use raster_file::{SEEN, has_float64};

@@ -115,6 +115,16 @@ pub fn encode_png(pixels: &[[u8; 3]], shape: Shape) -> Result<Vec<u8>> {
     encode(pixels.as_flattened(), shape, png::ColorType::Rgb, png::BitDepth::Eight)
 }
 
+/// Grey of 8 bits as PNG.
+pub(crate) fn encode_bytes(samples: &[u8], shape: Shape) -> Result<Vec<u8>> {
+    encode(samples, shape, png::ColorType::Grayscale, png::BitDepth::Eight)
+}
+
+/// Red, green, blue and opacity of 8 bits as PNG; colours under no opacity are kept.
+pub(crate) fn encode_rgba(pixels: &[[u8; 4]], shape: Shape) -> Result<Vec<u8>> {
+    encode(pixels.as_flattened(), shape, png::ColorType::Rgba, png::BitDepth::Eight)
+}
+
 fn encode(samples: &[u8], shape: Shape, colour: png::ColorType, depth: png::BitDepth) -> Result<Vec<u8>> {
     let size = |n: usize| u32::try_from(n).map_err(|e| Error::format("PNG", e));
     let fail = |e: png::EncodingError| Error::format("PNG", e);

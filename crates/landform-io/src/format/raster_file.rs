@@ -35,13 +35,16 @@ pub struct RasterFile<'a> {
     pub seed: u64,
     /// Options of GeoTIFF.
     pub geotiff: GeotiffOptions,
+    /// Least and greatest value of the whole that this is a part of, over which steps are spread;
+    /// if none, they are its own.
+    pub spread: Option<[f64; 2]>,
 }
 
 impl<'a> RasterFile<'a> {
     /// Real numbers, with the usual options.
     pub fn real(grid: &'a Grid, values: &'a [f64], field: &'a str, unit: &'a str, seed: u64) -> Self {
         let (samples, legend, geotiff) = (Samples::Real, Vec::new(), GeotiffOptions::default());
-        Self { grid, values, field, unit, samples, legend, seed, geotiff }
+        Self { grid, values, field, unit, samples, legend, seed, geotiff, spread: None }
     }
 }
 
@@ -66,8 +69,11 @@ impl RasterFile<'_> {
         format!("{path} holds 32-bit floats: heights from {lo} to {hi} m come out in steps of {step} m")
     }
 
-    /// Least and greatest value, in `unit`; (0, 0) without data.
+    /// Least and greatest value, in `unit`, of the whole that it is a part of; (0, 0) without data.
     pub fn range(&self) -> (f64, f64) {
+        if let Some([least, greatest]) = self.spread {
+            return (least, greatest);
+        }
         let finite = self.values.iter().copied().filter(|v| v.is_finite());
         let range = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         if range.0 <= range.1 { range } else { (0.0, 0.0) }

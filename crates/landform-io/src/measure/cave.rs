@@ -149,13 +149,9 @@ fn inlets(features: &Features) -> Vec<InletMeasured> {
             Some(Property::Text(v)) => Some(v.clone()),
             _ => None,
         };
-        let number = match f.property("breakthrough_iteration") {
-            Some(Property::Number(v)) => Some(*v),
-            _ => None,
-        };
         InletMeasured {
             inlet: f.id.clone(),
-            breakthrough_iteration: number,
+            breakthrough_iteration: f.number("breakthrough_iteration"),
             outlet: text("outlet"),
             joins_inlet: text("joins_inlet"),
         }

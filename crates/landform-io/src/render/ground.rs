@@ -13,6 +13,10 @@ pub(crate) const ROCK: [u32; 2] = [0x7d736a, 0x9d948a];
 pub(crate) const SNOW: u32 = 0xdfe4ea;
 /// Deep water.
 pub(crate) const DEEP: u32 = 0x1f4e6b;
+/// Clear water over a shallow floor.
+pub(crate) const LAGOON: u32 = 0x3fa3ad;
+/// Depth over which clear water becomes deep, m.
+pub(crate) const DEEPENS: f64 = 40.0;
 /// Plain rock of a cut side, under soil and far below.
 pub(crate) const CUT: [u32; 2] = [0x857a6e, 0x6d645b];
 /// The sky overhead and at the horizon.
@@ -33,6 +37,17 @@ pub(crate) fn snow_line(relief: f64) -> f64 {
 /// from it.
 pub(crate) fn low_land(low: f64, high: f64, sea: f64) -> f64 {
     if low < sea && high > sea { sea } else { low }
+}
+
+/// Whether the sea stands over ground between two levels, m: where some rises from it, and wherever
+/// there are corals.
+pub(crate) fn has_sea(field: &HeightField, (low, high): (f64, f64), sea: f64) -> bool {
+    low < sea && (high > sea || has_coral(field))
+}
+
+/// Whether corals grew on the ground.
+pub(crate) fn has_coral(field: &HeightField) -> bool {
+    field.depth("coral").is_some()
 }
 
 /// Whether loose sand lies on the ground.

@@ -8,9 +8,11 @@ use landform_core::{Result, math, parallel};
 
 use super::colour::{Rgb, blend, hex, mix, scale, sea, to_srgb};
 use super::cover::Cover;
+use super::ground::has_sea;
 use super::label::short;
 use super::light::sky_view;
-use super::{Picture, Ramp, waters};
+use super::perspective::ground_colours;
+use super::{Picture, Ramp, Waters, waters};
 
 /// How a map is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +51,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
     let (grid, z) = (field.grid(), field.elevation());
     let (lo, hi) = range(z);
     let level = style.sea_level;
-    let has_sea = lo < level && hi > level;
+    let has_sea = has_sea(field, (lo, hi), level);
     let shade = relief(grid, z, hi - lo);
     let water = style.water.then(|| waters(field));
     let land_low = if has_sea { level } else { lo };
@@ -61,7 +63,7 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
         }
         let under_sea = has_sea && z[i] < level && !(has_depth && water.as_ref().is_some_and(|w| w.lake[i] > 0.0));
         let mut colour = if under_sea {
-            sea(((z[i] - level) / (lo - level)).sqrt())
+            cover.through_water(sea(((z[i] - level) / (lo - level)).sqrt()), i, level - z[i])
         } else {
             let height = (z[i] - land_low) / (hi - land_low).max(1e-9);
             // Of the ramp a little stays, lighter upwards.
@@ -83,6 +85,24 @@ pub fn shaded_map(field: &HeightField, style: &MapStyle) -> Result<Picture> {
         colour
     });
     Ok(paint(grid.shape, &colours, style.size))
+}
+
+/// The colours of the ground from above, without light and shadow, with rivers, lakes and the sea.
+pub(crate) fn colour_map(field: &HeightField, target: Shape, sea_level: Option<f64>) -> Picture {
+    let (lo, _) = range(field.elevation());
+    let Waters { lake, river } = waters(field);
+    let mut colours = ground_colours(field, river, sea_level.unwrap_or(lo.min(0.0)));
+    let z = field.elevation();
+    parallel::update(&mut colours, |i, colour| {
+        if z[i].is_nan() {
+            *colour = hex(NOTHING);
+        } else if sea_level.is_some_and(|sea| z[i] < sea) || lake[i] > 0.0 {
+            *colour = hex(DEEP);
+        }
+    });
+    let shape = field.grid().shape;
+    let zoom = [target.rows as f64 / shape.rows as f64, target.cols as f64 / shape.cols as f64];
+    stretched(shape, &colours, target, zoom)
 }
 
 /// Any field in a colour ramp over faint relief. On a logarithmic ramp zeros have the lowest
@@ -201,7 +221,12 @@ fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
     let zoom = size.max(1) as f64 / longer;
     let pixels_of = |n: usize| ((n as f64 * zoom).round() as usize).max(1);
     let target = Shape::new(pixels_of(shape.rows), pixels_of(shape.cols));
-    let taps = (1.0 / zoom).ceil().clamp(1.0, 16.0) as usize;
+    stretched(shape, colours, target, [zoom; 2])
+}
+
+/// Node colours as a picture with `zoom` pixels a row and a column.
+fn stretched(shape: Shape, colours: &[Rgb], target: Shape, zoom: [f64; 2]) -> Picture {
+    let taps = zoom.map(|zoom| (1.0 / zoom).ceil().clamp(1.0, 16.0) as usize);
     let at = |r: f64, c: f64| {
         let (r, c) = (r.clamp(0.0, (shape.rows - 1) as f64), c.clamp(0.0, (shape.cols - 1) as f64));
         let (r0, c0) = (r as usize, c as usize);
@@ -213,14 +238,15 @@ fn paint(shape: Shape, colours: &[Rgb], size: usize) -> Picture {
     let pixels = parallel::map(target.len(), |i| {
         let pixel = target.cell(i);
         let mut sum = [0.0; 3];
-        for a in 0..taps {
-            for b in 0..taps {
-                let part = |k: usize, tap: usize| (k as f64 + (tap as f64 + 0.5) / taps as f64) / zoom - 0.5;
-                let colour = at(part(pixel.row, a), part(pixel.col, b));
+        for a in 0..taps[0] {
+            for b in 0..taps[1] {
+                let part =
+                    |n: usize, tap: usize, k: usize| (n as f64 + (tap as f64 + 0.5) / taps[k] as f64) / zoom[k] - 0.5;
+                let colour = at(part(pixel.row, a, 0), part(pixel.col, b, 1));
                 sum = [0, 1, 2].map(|k| sum[k] + colour[k]);
             }
         }
-        to_srgb(scale(sum, 1.0 / (taps * taps) as f64))
+        to_srgb(scale(sum, 1.0 / (taps[0] * taps[1]) as f64))
     });
     Picture { shape: target, pixels }
 }

@@ -56,7 +56,7 @@ pub use params::{ChannelErosion, Inflow, Smoothing, Spring, Transport};
 use sediment::Sediment;
 use wear::{Ground, Weights, eroded_bed, uplift};
 
-use crate::mechanism::within_map;
+use crate::mechanism::{add_to_sums, begin_sums, within_map};
 
 landform_core::stages! {
     process ChannelErosion where HeightField;
@@ -112,7 +112,8 @@ struct Scratch {
 }
 
 impl Process<HeightField> for ChannelErosion {
-    const WRITES: &'static [&'static str] = &["elevation", "discharge", "water_depth", "water_supply"];
+    const WRITES: &'static [&'static str] =
+        &["elevation", "deposition", "discharge", "incision", "water_depth", "water_supply"];
     type State = State;
 
     fn own_clock(&self) -> Option<OwnClock> {
@@ -152,6 +153,7 @@ impl Process<HeightField> for ChannelErosion {
             None => Vec::new(),
         };
         let softness = self.softness.resolve("softness", terrain, context)?;
+        begin_sums(terrain)?;
         let standing = vec![0.0; rate.len()];
         let z = terrain.elevation();
         let farthest = parallel::max(z.len(), |i| z[i].abs());
@@ -224,9 +226,11 @@ impl Process<HeightField> for ChannelErosion {
         let (eroded, deposited) = (sum(-1.0), sum(1.0));
         let raised = uplift(terrain.grid(), &weights);
         let inner = parallel::sum(old.len(), |i| f64::from(u8::from(is_inner(i))));
+        let lowered = parallel::map(old.len(), |i| if status[i] == Status::Masked { 0.0 } else { old[i] - new[i] });
         terrain.change(Layer::Surface("sediment"), |z| {
             parallel::update(z, |i, z| *z = if status[i] != Status::Masked { new[i] } else { *z });
         });
+        add_to_sums(terrain, &lowered);
         if raised != 0.0 {
             terrain
                 .change(Layer::Bedrock, |z| parallel::update(z, |i, z| *z += if is_inner(i) { raised } else { 0.0 }));

@@ -16,6 +16,7 @@
 //! ```
 
 mod add;
+mod carve_path;
 mod crop;
 mod derive;
 mod drainage;
@@ -23,12 +24,14 @@ mod fill_depressions;
 mod find_features;
 mod mask;
 mod resample;
+mod scatter;
 mod set_outlets;
 mod set_relief;
 mod to_height_field;
 mod warp;
 
 pub use add::Add;
+pub use carve_path::{CarvePath, PathRoute};
 pub use crop::Crop;
 pub use derive::{Derive, Derived};
 pub use drainage::Drainage;
@@ -36,6 +39,7 @@ pub use fill_depressions::FillDepressions;
 pub use find_features::FindFeatures;
 pub use mask::Mask;
 pub use resample::Resample;
+pub use scatter::{DistanceRule, Scatter};
 pub use set_outlets::SetOutlets;
 pub use set_relief::{ReliefAbove, SetRelief};
 pub use to_height_field::ToHeightField;
@@ -45,6 +49,7 @@ use landform_core::terrain::{HeightField, Mesh};
 
 landform_core::stages! {
     edit Add where HeightField, Mesh;
+    edit CarvePath where HeightField;
     edit Crop where HeightField;
     edit Derive where HeightField;
     edit Drainage where HeightField, Mesh;
@@ -52,6 +57,7 @@ landform_core::stages! {
     edit FindFeatures where HeightField, Mesh;
     edit Mask where HeightField;
     edit Resample where HeightField;
+    edit Scatter where HeightField;
     edit SetOutlets where HeightField, Mesh;
     edit SetRelief where HeightField, Mesh;
     edit Warp where HeightField;

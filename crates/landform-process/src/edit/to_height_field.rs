@@ -56,6 +56,16 @@ impl Params for ToHeightField {
         title: "Finite element stiffness matrices for analysis of plate bending, Proc. 1st Conf. Matrix Methods in Structural Mechanics",
         doi: "",
     }];
+
+    fn warning(&self, before: &Estimate, _: f64) -> Option<String> {
+        let (cell, spacing) = (self.cell_size.si(), before.spacing()?);
+        (self.method == Method::Linear && cell < 0.75 * spacing).then(|| {
+            format!(
+                "cells of {cell} m are finer than the mesh, whose nodes stand about {spacing:.0} m apart: its \
+                 triangles show as facets; `method = \"cubic\"` rounds them, a finer mesh has more to show"
+            )
+        })
+    }
 }
 
 impl Convert<Mesh, HeightField> for ToHeightField {

@@ -5,6 +5,7 @@ mod grid;
 mod lattice;
 mod plane;
 mod radius;
+mod sums;
 pub mod water;
 pub mod wind;
 
@@ -13,3 +14,4 @@ pub use grid::GridParams;
 pub use lattice::Lattice;
 pub(crate) use plane::plane_normal;
 pub use radius::within_map;
+pub(crate) use sums::{add_to_incision, add_to_sums, begin_sums};

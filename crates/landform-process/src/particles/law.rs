@@ -3,8 +3,9 @@
 //! # Model
 //! Shear rate θ = v/l, τ = θ^½; detached: K max(0, τ − τ_c)^a times time and the area πR² of
 //! contact, no more than finds room; laid: ω |w_s| f(C) C times time and area, no more than is
-//! carried. C is the load as a part of the particle's volume. K is that of rock times the
-//! erodibility of the material over that of rock.
+//! carried. C is the load as a part of the particle's volume, w_s the speed with which its excess of
+//! weight over that of what carries it (the particle itself, or a denser fluid) makes it sink. K is
+//! that of rock times the erodibility of the material over that of rock.
 //!
 //! # Sources
 //! Wojtan et al. (2007); Hartley (thesis), Equations 6.1 to 6.4, with the time, the limits by what
@@ -13,7 +14,7 @@
 use landform_core::math;
 use landform_core::terrain::Materials;
 
-use super::motion::{Body, dot, hindered, wave_speed};
+use super::motion::{Body, GRAINS, dot, hindered, wave_speed};
 use super::params::{Hindrance, ParticleErosion};
 use super::presets::Preset;
 
@@ -42,8 +43,7 @@ pub(super) struct Exchanged {
     pub(super) deposited: f64,
 }
 
-/// Part of the speed of waves below which a particle does not bounce, and is at rest.
-const LEAST_BOUNCE: f64 = 0.05;
+/// Part of the speed of waves below which a particle is at rest.
 const AT_REST: f64 = 0.01;
 
 impl Law {
@@ -94,18 +94,15 @@ impl Law {
 
     fn laid(&self, body: &Body, load: f64, contact: f64, fluid: f64) -> f64 {
         let part = load / body.volume();
-        let settling = body.terminal(body.loaded(part), fluid).abs();
+        // Grains sink in what carries them: the particle itself, or the fluid where that is denser.
+        let carrier = fluid.max(body.density);
+        let settling = body.terminal(carrier + part * (GRAINS - carrier), carrier).abs();
         if !settling.is_finite() {
             return 0.0;
         }
         let exponent = body.exponent(fluid);
         let settling = settling * hindered(self.hindrance, part, self.capacity, exponent);
         (self.deposition * settling * contact * part).min(load)
-    }
-
-    /// Slowest normal speed with which a particle bounces, m/s.
-    pub(super) fn least_bounce(&self, body: &Body) -> f64 {
-        LEAST_BOUNCE * wave_speed(body.radius)
     }
 
     /// Velocity after contact with the ground: the normal part comes back by the restitution, the

@@ -12,9 +12,8 @@
 //! ground it is on. **Cost** O(steps · nodes under the brush).
 //!
 //! # Limits
-//! Particles do not meet each other. Results depend on the cells: of drops that bounce, cells of half
-//! the size wore a third less in a trial on a hill, and voxels three quarters of what a raster does, in
-//! other places. Base levels are not held: the ground moves wherever particles
+//! Particles do not meet each other. Whole voxels are steps, which slow particles down: on a hill
+//! they wore six tenths of what parts of voxels did. Base levels are not held: the ground moves wherever particles
 //! touch it. The flow does not feel what particles do before the next iteration. A particle that
 //! rests on its way through water lets its load fall straight down. A voxel is of one material: in a
 //! mixture the larger part gives the name.

@@ -23,7 +23,7 @@ use super::params::Hindrance;
 /// Acceleration of free fall, m/s².
 pub(super) const GRAVITY: f64 = 9.81;
 /// Density of grains of the load, kg/m³.
-const GRAINS: f64 = 2650.0;
+pub(super) const GRAINS: f64 = 2650.0;
 /// Densities of air and water, kg/m³.
 pub(super) const AIR: f64 = 1.0;
 pub(super) const WATER: f64 = 1000.0;
@@ -74,16 +74,20 @@ impl Body {
 
     /// Moves for `dt` seconds through a fluid of a density (kg/m³) and velocity (m/s).
     pub(super) fn fly(&self, from: State, density: f64, fluid: f64, flow: [f64; 3], dt: f64) -> State {
-        let rise = self.weight(density, fluid);
+        self.drift(from, density, [0.0, 0.0, self.weight(density, fluid)], flow, dt)
+    }
+
+    /// Moves for `dt` seconds under an acceleration (m/s²) beside the drag of a flow (m/s).
+    pub(super) fn drift(&self, from: State, density: f64, push: [f64; 3], flow: [f64; 3], dt: f64) -> State {
         if !(self.viscosity > 0.0) {
-            let half = [0.0, 0.0, 0.5 * rise * dt * dt];
-            let at = [0, 1, 2].map(|k| from.at[k] + from.velocity[k] * dt + half[k]);
-            let [x, y, z] = from.velocity;
-            return State { at, velocity: [x, y, z + rise * dt] };
+            return State {
+                at: [0, 1, 2].map(|k| from.at[k] + from.velocity[k] * dt + 0.5 * push[k] * dt * dt),
+                velocity: [0, 1, 2].map(|k| from.velocity[k] + push[k] * dt),
+            };
         }
         let slow = self.relaxation(density);
-        let end = [flow[0], flow[1], flow[2] + rise * slow];
         let left = math::exp(-dt / slow);
+        let end = [0, 1, 2].map(|k| flow[k] + push[k] * slow);
         let over = [0, 1, 2].map(|k| from.velocity[k] - end[k]);
         State {
             at: [0, 1, 2].map(|k| from.at[k] + end[k] * dt + over[k] * slow * (1.0 - left)),

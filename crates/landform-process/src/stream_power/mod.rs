@@ -84,6 +84,7 @@ mod braun_willett_2013;
 mod law;
 mod params;
 mod rock;
+mod talus;
 #[cfg(test)]
 mod tests;
 mod yuan_2019;
@@ -100,7 +101,9 @@ use landform_core::verb::{Change, Context, Environment, Process, Resolved, Step,
 use landform_core::{Error, Result, parallel};
 use serde::{Deserialize, Serialize};
 
-use crate::mechanism::{write_channel_steepness_fields, write_drainage_fields};
+use crate::mechanism::{
+    add_to_incision, add_to_sums, begin_sums, write_channel_steepness_fields, write_drainage_fields,
+};
 use braun_willett_2013::sweep;
 pub use params::StreamPower;
 
@@ -169,8 +172,10 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         "basin",
         "channel_slope",
         "chi",
+        "deposition",
         "drainage_area",
         "erosion_rate",
+        "incision",
         "lake_depth",
         "rainfall",
         "receiver",
@@ -205,6 +210,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             }
             None => None,
         };
+        begin_sums(terrain)?;
         Ok(State {
             erodibility,
             weakness,
@@ -297,8 +303,19 @@ impl<T: NodeSurface> Process<T> for StreamPower {
                 change
             }
         };
+        let lowered = &state.scratch.amount;
+        if self.deposition > 0.0 {
+            add_to_sums(terrain, lowered)
+        } else {
+            add_to_incision(terrain, lowered)
+        }
         state.sea_level = sea.unwrap_or(0.0);
         Ok(change)
+    }
+
+    fn note(&self, terrain: &T, state: &Self::State) -> Option<String> {
+        let domain = state.scratch.domain.as_ref()?;
+        talus::note(self.talus_angle?, &**domain, &state.scratch.flow, terrain.elevation())
     }
 
     fn finish(&self, terrain: &mut T, state: &mut Self::State, _: &Environment) -> Result<()> {

@@ -4,12 +4,13 @@ use landform_core::algo::flow::Descent;
 use landform_core::units::{
     Angle, Erodibility, ErodibilityDimension, LengthDimension, Rate, RateDimension, RatioDimension,
 };
-use landform_core::verb::{Changing, Environment, Outlets, Params, Source, Varying};
+use landform_core::verb::{Changing, Environment, Estimate, Outlets, Params, Source, Varying};
 use landform_core::{Error, Result, math};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::law::Law;
+use super::talus;
 use crate::mechanism::Lattice;
 
 /// Slope that ground approaches and does not exceed, where none is given.
@@ -167,11 +168,22 @@ impl Params for StreamPower {
     ];
 
     fn bytes_a_node(&self) -> Option<u64> {
-        Some(185)
+        Some(205)
     }
 
     fn jitters(&self) -> bool {
         self.lattice == Lattice::Jittered
+    }
+
+    fn warning(&self, before: &Estimate, raised: f64) -> Option<String> {
+        let erodibility = match &self.erodibility {
+            Some(Varying::Uniform(k)) => k.si(),
+            Some(_) => return None,
+            None => Self::usual_erodibility().si(),
+        };
+        let (area_exponent, slope_exponent) = (self.area_exponent, self.slope_exponent);
+        let law = talus::Uniform { angle: self.talus_angle?, erodibility, area_exponent, slope_exponent };
+        talus::warning(&law, before, raised)
     }
 
     fn check(&self) -> Result<()> {

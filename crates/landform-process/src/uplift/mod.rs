@@ -71,6 +71,14 @@ impl Params for Uplift {
     fn reach(&self) -> Reach {
         self.rate.reach()
     }
+
+    fn raises(&self) -> Option<f64> {
+        match &self.rate {
+            Varying::Uniform(rate) => Some(rate.si()),
+            Varying::InTime(course) => course.greatest(),
+            _ => None,
+        }
+    }
 }
 
 /// Rates, and scratch for the nodes that they raise.

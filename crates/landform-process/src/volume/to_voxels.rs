@@ -3,13 +3,12 @@
 use landform_core::terrain::{HeightField, Interpolation, Materials, NodeSurface, VoxelGrid, resample};
 use landform_core::units::Length;
 use landform_core::verb::{Convert, Estimate, Params, Source};
-use landform_core::{Error, Result};
+use landform_core::{Error, Result, parallel};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Turns a raster into voxels, a column under each node, so that the ground can have caves and
-/// overhangs. Layers give each voxel its material. A voxel is solid where its middle lies under the
-/// surface; fields, features, chosen outlets and the place of nodata are lost.
+/// overhangs. Layers give each voxel its material. Voxels at the surface are full in part; fields, features, chosen outlets and the place of nodata are lost.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToVoxels {
@@ -23,6 +22,9 @@ pub struct ToVoxels {
     /// Ground under the lowest node.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100_000.0))]
     pub depth: Length,
+    /// Whether voxels at the surface may be full in part, so that the ground keeps its volume; else
+    /// a voxel is solid where its middle lies under the surface, and takes a fifth of the memory.
+    pub partial: bool,
     /// Empty room over the highest node.
     #[schemars(extend("x-min" = 0.0, "x-max" = 100_000.0))]
     pub headroom: Length,
@@ -30,7 +32,7 @@ pub struct ToVoxels {
 
 impl Default for ToVoxels {
     fn default() -> Self {
-        Self { cell_size: None, voxel_height: None, depth: Length::of(50.0), headroom: Length::of(0.0) }
+        Self { cell_size: None, voxel_height: None, depth: Length::of(50.0), partial: true, headroom: Length::of(0.0) }
     }
 }
 
@@ -64,15 +66,27 @@ impl Convert<HeightField, VoxelGrid> for ToVoxels {
             return Err(Error::parameter("voxel_height", given, "at most a million levels and 4 billion voxels"));
         }
         let materials = source.layers().map_or_else(Materials::default, |layers| layers.materials().clone());
+        let nodes = z.len();
+        let part = |level: usize, node: usize| {
+            // Nodata is empty.
+            ((z[node] - bottom) / height - level as f64).max(0.0).min(1.0)
+        };
         let material = |level: usize, node: usize| {
-            let middle = bottom + (level as f64 + 0.5) * height;
-            if !(middle < z[node]) {
+            let part = part(level, node);
+            if !(part > if self.partial { 0.0 } else { 0.5 }) {
                 return None;
             }
+            let middle = bottom + (level as f64 + 0.5 * part.min(1.0)) * height;
             let strata = source.layers().map(|layers| layers.column(node, z[node]));
             Some(strata.and_then(|mut s| s.find(|s| s.bottom < middle)).map_or(0, |stratum| stratum.number))
         };
-        VoxelGrid::from_fn(source.grid().clone(), levels as usize, bottom, height, &materials, material)
+        let mut ground =
+            VoxelGrid::from_fn(source.grid().clone(), levels as usize, bottom, height, &materials, material)?;
+        if self.partial {
+            let count = nodes * levels as usize;
+            ground.set_fill(parallel::map(count, |i| part(i / nodes, i % nodes) as f32))?;
+        }
+        Ok(ground)
     }
 
     /// As if the ground were a tenth as high as it is wide.
@@ -87,7 +101,11 @@ impl Convert<HeightField, VoxelGrid> for ToVoxels {
         Estimate {
             nodes,
             columns,
-            bytes: (source.nodes + columns).saturating_mul(60).saturating_add(nodes.saturating_mul(2)),
+            bytes: (source.nodes + columns).saturating_mul(60).saturating_add(nodes.saturating_mul(if self.partial {
+                6
+            } else {
+                2
+            })),
             ..source
         }
     }

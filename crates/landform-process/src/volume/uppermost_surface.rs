@@ -41,13 +41,16 @@ mod tests {
     use crate::volume::ToVoxels;
 
     #[test]
-    fn a_raster_comes_back_within_half_a_voxel_and_its_beds_are_in_the_voxels() {
+    fn a_raster_comes_back_and_of_whole_voxels_within_half_of_one() {
         let grid = Grid::new(Shape::new(15, 19), [10.0, 10.0]).unwrap();
         let z: Vec<f64> = (0..285).map(|i| 40.0 + 0.37 * i as f64 % 61.0).collect();
         let field = HeightField::new(grid, z).unwrap();
-        let voxels = ToVoxels { voxel_height: Some(Length::of(2.0)), ..ToVoxels::default() }.convert(&field).unwrap();
-        let again = UppermostSurface {}.convert(&voxels).unwrap();
-        assert!(field.elevation().iter().zip(again.elevation()).all(|(a, b)| (a - b).abs() <= 1.0 + 1e-9));
-        assert!((voxels.volume() / field.volume() - 1.0).abs() < 0.01);
+        for (partial, off, share) in [(true, 1e-6, 1e-7), (false, 1.0 + 1e-9, 0.01)] {
+            let params = ToVoxels { voxel_height: Some(Length::of(2.0)), partial, ..ToVoxels::default() };
+            let voxels = params.convert(&field).unwrap();
+            let again = UppermostSurface {}.convert(&voxels).unwrap();
+            assert!(field.elevation().iter().zip(again.elevation()).all(|(a, b)| (a - b).abs() <= off));
+            assert!((voxels.volume() / field.volume() - 1.0).abs() < share);
+        }
     }
 }

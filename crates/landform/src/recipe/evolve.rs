@@ -86,6 +86,7 @@ impl Visit for Evolving<'_, '_> {
             open(&beside).save(simulation.model())?;
             return Ok(None);
         }
+        simulation.model().notes().for_each(|note| (options.progress)(Signal::Note(note)));
         let terrain = simulation.into_terrain().at_centres().into_owned().wrap();
         let watcher = open(&beside).watcher.take();
         if let Some(note) = watcher.map(|watcher| watcher.finish(out)).transpose()?.flatten() {

@@ -1,6 +1,6 @@
 //! The plan of a recipe: its stages, sizes and memory.
 
-use landform_core::stage::{Verb, bytes_a_node_of};
+use landform_core::stage::{Verb, bytes_a_node_of, warnings_of};
 use landform_core::terrain::Kind;
 use landform_core::verb::{Context, ELEVATIONS, Estimate, relative_path};
 use landform_core::{Error, Result};
@@ -22,7 +22,7 @@ pub struct Plan {
 }
 
 /// Bytes of the program itself.
-const PROGRAM: u64 = 12 << 20;
+const PROGRAM: u64 = 13 << 20;
 
 /// The plan of one stage.
 #[derive(Clone, Debug)]
@@ -43,6 +43,8 @@ pub struct PlannedStage {
     pub cached: bool,
     /// Whether it writes files while it runs, and so runs even if its terrain is in the cache.
     pub watched: bool,
+    /// What a user should know of its parameters before a run.
+    pub notes: Vec<String>,
     /// Key of the terrain after it.
     pub(super) key: String,
 }
@@ -84,6 +86,7 @@ impl Recipe {
             let (environment, window) = (&*self.environment, self.window);
             let context = Context { seed: entry.seed, maps: &*self.maps, environment, window, ..Context::default() };
             let held = labelled.values().map(held).sum::<u64>() + fields_before * 8 * current.0.nodes;
+            let notes = warnings_of(entry.work.parts(), &current.0);
             current.0 = estimate(entry, current.2, current.0, &context).map_err(fail)?;
             current.0.bytes += PROGRAM + held;
             if entry.work.changes_terrain() {
@@ -106,6 +109,7 @@ impl Recipe {
                 bytes: current.0.bytes,
                 cached: entry.work.changes_terrain() && cache.is_some_and(|c| c.has(&current.1)),
                 watched: entry.work.watch().is_some(),
+                notes,
                 key: current.1.clone(),
             });
         }

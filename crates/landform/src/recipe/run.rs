@@ -45,6 +45,7 @@ impl Recipe {
             Runner { recipe: self, options, cache: options.cache, damaged: Default::default(), kept: None };
         self.notes.iter().for_each(|note| runner.note(note.clone()));
         let mut plan = self.plan(options.cache, &options.salt)?;
+        plan.stages.iter().flat_map(|stage| &stage.notes).for_each(|note| runner.note(note.clone()));
         runner.kept = runner.find_kept(&plan)?;
         loop {
             runner.tell_notes();

@@ -16,4 +16,4 @@
 
 mod poisson_disk;
 
-pub use poisson_disk::{poisson_disk, spacing_for_count};
+pub use poisson_disk::{poisson_disk, scattered, spacing_for_count};

@@ -41,6 +41,40 @@ pub fn spacing_for_count(size: [f64; 2], count: usize) -> f64 {
 /// [`Error::Parameter`] for sizes that are not positive, a spacing above half of a side, or more
 /// than 2·10⁷ points.
 pub fn poisson_disk(size: [f64; 2], spacing: f64, seed: Seed) -> Result<Vec<[f64; 2]>> {
+    check(size, spacing)?;
+    let mut sampler = Sampler::new(size, spacing);
+    for p in border(size, spacing) {
+        sampler.add(p);
+    }
+    sampler.grow(&mut seed.draws());
+    Ok(sampler.points)
+}
+
+/// As [`poisson_disk`], without nodes along the border: the algorithm as published, from one point.
+///
+/// ```
+/// use landform_core::algo::sampling::scattered;
+/// use landform_core::random::Seed;
+///
+/// let points = scattered([100.0, 60.0], 10.0, Seed(1))?;
+/// assert!((30..60).contains(&points.len()));
+/// assert!(points.iter().all(|[x, y]| (0.0..100.0).contains(x) && (0.0..60.0).contains(y)));
+/// # Ok::<(), landform_core::Error>(())
+/// ```
+///
+/// # Errors
+/// Where [`poisson_disk`] fails.
+pub fn scattered(size: [f64; 2], spacing: f64, seed: Seed) -> Result<Vec<[f64; 2]>> {
+    check(size, spacing)?;
+    let mut sampler = Sampler::new(size, spacing);
+    let mut draws = seed.draws();
+    let first = size.map(|side| side * draws.uniform());
+    sampler.add(first);
+    sampler.grow(&mut draws);
+    Ok(sampler.points)
+}
+
+fn check(size: [f64; 2], spacing: f64) -> Result<()> {
     if size.iter().any(|s| !(s.is_finite() && *s > 0.0)) {
         return Err(Error::parameter("size", format!("{} x {} m", size[0], size[1]), "> 0 m"));
     }
@@ -50,12 +84,7 @@ pub fn poisson_disk(size: [f64; 2], spacing: f64, seed: Seed) -> Result<Vec<[f64
     if size[0] * size[1] / (spacing * spacing) > MOST_POINTS / DENSITY {
         return Err(Error::parameter("spacing", format!("{spacing} m"), "at most 20 million nodes"));
     }
-    let mut sampler = Sampler::new(size, spacing);
-    for p in border(size, spacing) {
-        sampler.add(p);
-    }
-    sampler.grow(&mut seed.draws());
-    Ok(sampler.points)
+    Ok(())
 }
 
 fn border([w, h]: [f64; 2], spacing: f64) -> Vec<[f64; 2]> {

@@ -1,9 +1,12 @@
 //! Voxels that a brush removes and deposits: whole ones, or parts where they may be full in part.
 //!
 //! # Sources
-//! Hartley (thesis), Equations 6.13 and 6.14: a weight of 1 - d/R, and whole voxels; its `floor` of
-//! negative numbers would erode more than was asked for, so the rest stays with who asks.
+//! Hartley (thesis), Equations 6.13 and 6.14: parts of voxels, and whole ones. A weight of 1 - d/R in
+//! a ball, as there, makes ground under the surface porous: parts are taken at the surface, by the
+//! half-sphere of Equation 6.9 across it. Its `floor` of negative numbers would erode more than was
+//! asked for, so the rest stays with who asks.
 
+use super::facing::Facing;
 use super::{EMPTY, VoxelGrid};
 use crate::terrain::{Brush, Erodible, Materials};
 
@@ -83,80 +86,165 @@ impl VoxelGrid {
         laid as f64 * self.voxel_volume()
     }
 
-    /// Weights 1 - d/R of voxels under a brush, of which the middle one is not 0.
-    fn weights(&self, brush: Brush) -> Vec<(usize, f64)> {
-        let weight = |square: f64| (1.0 - square.sqrt() / brush.radius).max(1e-9);
-        self.under(brush).into_iter().map(|(i, square)| (i, weight(square))).collect()
+    /// Columns under a brush along the axis that the surface faces, each with its voxel beside the
+    /// brush and a weight: a half-sphere; the nearest alone where the brush is finer than they are.
+    fn columns(&self, facing: Facing, brush: Brush) -> Vec<([i64; 3], f64)> {
+        let (at, sides, counts, [a, b]) = (self.lattice(brush.at), self.sides(), self.counts(), facing.across());
+        let near = (at[facing.axis].floor() as i64).clamp(0, counts[facing.axis] - 1);
+        let range = |k: usize| {
+            let (middle, reach) = (at[k] - 0.5, brush.radius / sides[k]);
+            let within = |v: f64| v.clamp(0.0, counts[k] as f64) as i64;
+            within((middle - reach).ceil())..within((middle + reach).floor() + 1.0)
+        };
+        let voxel = |i: i64, j: i64| {
+            let mut voxel = [near; 3];
+            (voxel[a], voxel[b]) = (i, j);
+            voxel
+        };
+        let off = |k: usize, i: i64| (i as f64 + 0.5 - at[k]) * sides[k];
+        let mut under = Vec::new();
+        for j in range(b) {
+            for i in range(a) {
+                let left = brush.radius * brush.radius - off(a, i) * off(a, i) - off(b, j) * off(b, j);
+                if left > 0.0 {
+                    under.push((voxel(i, j), left.sqrt()));
+                }
+            }
+        }
+        let is_beside = |k: usize| at[k] >= 0.0 && at[k] <= counts[k] as f64;
+        if under.is_empty() && is_beside(a) && is_beside(b) {
+            let nearest = |k: usize| (at[k] as i64).min(counts[k] - 1);
+            under.push((voxel(nearest(a), nearest(b)), 1.0));
+        }
+        under
     }
 
-    /// Takes parts of voxels by weight; what a voxel does not hold comes from the others.
+    /// Voxels of a column beside a brush within which its surface is looked for.
+    fn reach(&self, facing: Facing, brush: Brush) -> i64 {
+        (brush.radius / self.sides()[facing.axis]).ceil().min(1e6) as i64 + 2
+    }
+
+    /// Takes parts of the voxels at the surface, and of those behind them.
     fn take_parts(&mut self, brush: Brush, volume: f64, load: &mut [f64]) -> f64 {
-        let unit = self.voxel_volume();
-        let under: Vec<_> = self.weights(brush).into_iter().filter(|v| self.part(v.0) > 0.0).collect();
-        let mut left = volume;
+        let facing = self.facing(self.lattice(brush.at).map(|v| v.floor() as i64));
+        let (under, reach) = (self.columns(facing, brush), self.reach(facing, brush));
+        self.in_rounds(&under, volume, |grid, voxel, wanted| grid.take_from_column(facing, voxel, reach, wanted, load))
+    }
+
+    /// Lays parts of voxels from above, on what is there.
+    fn lay_parts(&mut self, brush: Brush, volume: f64, material: u8) -> f64 {
+        let (under, reach) = (self.columns(Facing::UP, brush), self.reach(Facing::UP, brush));
+        self.in_rounds(&under, volume, |grid, voxel, wanted| grid.lay_on_column(voxel, reach, wanted, material))
+    }
+
+    /// Moves a volume (m³) column by column by weight; what one has no room for, or does not hold,
+    /// is the others'. Returns the volume moved.
+    fn in_rounds(
+        &mut self,
+        columns: &[([i64; 3], f64)],
+        volume: f64,
+        mut in_column: impl FnMut(&mut Self, [i64; 3], f64) -> f64,
+    ) -> f64 {
+        let (unit, whole) = (self.voxel_volume(), columns.iter().map(|c| c.1).sum::<f64>());
+        // No more is asked for than the voxels of a column hold.
+        let mut left = volume.min(unit * self.voxels.len() as f64);
         for _ in 0..ROUNDS {
             // Less than nothing is left where numbers of single precision took a little more.
-            if !(left > LEAST * unit) {
+            if !(left > LEAST * unit && whole > 0.0) {
                 break;
             }
-            left -= self.share(&under, -left, unit, |grid, i, moved| {
-                load[usize::from(grid.voxels[i])] += moved;
-                if grid.part(i) == 0.0 {
-                    grid.voxels[i] = EMPTY;
-                }
-            });
-        }
-        volume - left
-    }
-
-    /// Lays parts of voxels by weight, on those that hold something or rest on what is half full;
-    /// what has no room goes to the others, and to those above them.
-    fn lay_parts(&mut self, brush: Brush, volume: f64, material: u8) -> f64 {
-        let (unit, n, mut left) = (self.voxel_volume(), self.plan.len(), volume);
-        let under = self.weights(brush);
-        for _ in 0..ROUNDS {
-            if !(left > LEAST * unit) {
-                break;
+            let share = left / whole;
+            for &(voxel, weight) in columns {
+                left -= in_column(self, voxel, share * weight);
             }
-            let rests = |i: usize| self.part(i) > 0.0 || i < n || self.part(i - n) >= 0.5;
-            let free: Vec<_> = under.iter().copied().filter(|v| self.part(v.0) < 1.0 && rests(v.0)).collect();
-            left -= self.share(&free, left, unit, |grid, i, moved| {
-                // A voxel is of one material: the one of which it holds more.
-                if grid.voxels[i] == EMPTY || moved > 0.5 * f64::from(grid.part(i)) * unit {
-                    grid.voxels[i] = material;
-                }
-            });
         }
-        volume - left
+        volume.min(unit * self.voxels.len() as f64) - left
     }
 
-    /// Adds a volume (m³; negative: takes it) to voxels by weight, as far as each can hold or give;
-    /// returns the volume moved, which `tell` is given voxel by voxel.
-    fn share(
+    /// Adds a volume (m³; negative: takes it) to a voxel as far as it has room; returns the volume
+    /// moved in truth, in numbers of single precision.
+    fn add_to(&mut self, i: usize, volume: f64) -> f64 {
+        let unit = self.voxel_volume();
+        let Some(fill) = &mut self.fill else { return 0.0 };
+        let before = f64::from(fill[i]);
+        fill[i] = (before + volume / unit).clamp(0.0, 1.0) as f32;
+        (f64::from(fill[i]) - before).abs() * unit
+    }
+
+    fn take_from_column(
         &mut self,
-        voxels: &[(usize, f64)],
-        volume: f64,
-        unit: f64,
-        mut tell: impl FnMut(&mut Self, usize, f64),
+        Facing { axis, out }: Facing,
+        mut voxel: [i64; 3],
+        reach: i64,
+        wanted: f64,
+        load: &mut [f64],
     ) -> f64 {
-        let whole: f64 = voxels.iter().map(|v| v.1).sum();
-        if !(whole > 0.0) {
-            return 0.0;
-        }
-        let mut moved = 0.0;
-        for &(i, weight) in voxels {
-            let Some(fill) = &mut self.fill else { break };
-            let before = f64::from(fill[i]);
-            let after = (before + volume / unit * weight / whole).clamp(0.0, 1.0);
-            fill[i] = after as f32;
-            // What was moved in truth, in numbers of single precision.
-            let part = (f64::from(fill[i]) - before).abs() * unit;
-            if part > 0.0 {
-                moved += part;
-                tell(self, i, part);
+        let count = self.counts()[axis];
+        let is_in = |along: i64| (0..count).contains(&along);
+        let near = voxel[axis];
+        let solid = |grid: &Self, mut voxel: [i64; 3], along: i64| {
+            voxel[axis] = along;
+            is_in(along) && grid.part(grid.index_of(voxel)) > 0.0
+        };
+        let (mut at, mut looked) = (near, 0);
+        if solid(self, voxel, at) {
+            while looked < reach && solid(self, voxel, at + out) {
+                (at, looked) = (at + out, looked + 1);
+            }
+        } else {
+            while looked < reach && !solid(self, voxel, at) {
+                (at, looked) = (at - out, looked + 1);
             }
         }
-        moved
+        let mut left = wanted;
+        while left > 0.0 && solid(self, voxel, at) && (at - near).abs() <= 2 * reach {
+            voxel[axis] = at;
+            let i = self.index_of(voxel);
+            let moved = self.add_to(i, -left);
+            load[usize::from(self.voxels[i])] += moved;
+            if self.part(i) == 0.0 {
+                self.voxels[i] = EMPTY;
+            }
+            left -= moved;
+            if self.part(i) > 0.0 {
+                break;
+            }
+            at -= out;
+        }
+        wanted - left
+    }
+
+    fn lay_on_column(&mut self, mut voxel: [i64; 3], reach: i64, wanted: f64, material: u8) -> f64 {
+        let (n, unit, levels) = (self.plan.len(), self.voxel_volume(), self.levels as i64);
+        let near = voxel[2];
+        voxel[2] = 0;
+        let foot = self.index_of(voxel);
+        let part = |grid: &Self, level: i64| grid.part(foot + level as usize * n);
+        let mut at = near;
+        if part(self, at) > 0.0 {
+            while at < levels && at - near <= reach && part(self, at) >= 1.0 {
+                at += 1;
+            }
+        }
+        while at > 0 && near - at <= reach && at < levels && part(self, at) == 0.0 && part(self, at - 1) < 1.0 {
+            at -= 1;
+        }
+        let rests = at == 0 || at < levels && (part(self, at) > 0.0 || part(self, at - 1) > 0.0);
+        let mut left = wanted;
+        while rests && left > 0.0 && at < levels && at - near <= reach && part(self, at) < 1.0 {
+            let i = foot + at as usize * n;
+            let moved = self.add_to(i, left);
+            // A voxel is of one material: the one of which it holds more.
+            if self.voxels[i] == EMPTY || moved > 0.5 * f64::from(self.part(i)) * unit {
+                self.voxels[i] = material;
+            }
+            left -= moved;
+            if self.part(i) < 1.0 {
+                break;
+            }
+            at += 1;
+        }
+        wanted - left
     }
 }
 

@@ -38,23 +38,9 @@ impl Ground for VoxelGrid {
         self.fill_at(place).map(|part| (part - 0.5) * self.resolution())
     }
 
-    /// Along the gradient of how full voxels are, over the next ones.
+    /// On the surface that the voxels' parts add up to, along columns of the axis that it faces.
     fn contact(&self, place: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
-        let (middle, [dx, dy]) = (self.fill_at(place)?, self.plan.spacing);
-        let slope = |k: usize, by: f64| {
-            let beside = |by: f64| {
-                let mut beside = place;
-                beside[k] += by;
-                self.fill_at(beside).map(|part| (by, part))
-            };
-            let (a, b) = (beside(-by).unwrap_or((0.0, middle)), beside(by).unwrap_or((0.0, middle)));
-            if b.0 > a.0 { (a.1 - b.1) / (b.0 - a.0) } else { 0.0 }
-        };
-        let out = [slope(0, dx), slope(1, dy), slope(2, self.height)];
-        let length = (out[0] * out[0] + out[1] * out[1] + out[2] * out[2]).sqrt();
-        let normal = if length > 0.0 { out.map(|v| v / length) } else { [0.0, 0.0, 1.0] };
-        let depth = (middle - 0.5) * self.resolution();
-        Some(([0, 1, 2].map(|k| place[k] + depth * normal[k]), normal))
+        self.fill_at(place).map(|_| self.nearest_surface(place))
     }
 
     fn resolution(&self) -> f64 {

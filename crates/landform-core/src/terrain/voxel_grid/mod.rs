@@ -3,6 +3,7 @@
 //! A column of voxels stands over each node of a raster. Levels count upwards from the underside.
 
 mod erode;
+mod facing;
 mod fields;
 mod fill;
 mod ground;
@@ -198,10 +199,13 @@ impl VoxelGrid {
             .sum()
     }
 
-    /// Elevation of the upper face of the uppermost voxel of a column that is not empty, m.
+    /// Elevation up to which the uppermost voxel of a column that is not empty is full, m; what is
+    /// in one over it that is less than half full lies on it.
     pub fn top(&self, node: usize) -> Option<f64> {
         let level = (0..self.levels).rev().find(|&level| self.material(level, node).is_some())?;
-        Some(self.bottom + (level + 1) as f64 * self.height)
+        let i = level * self.plan.len() + node;
+        let over = if level + 1 < self.levels { self.part(i + self.plan.len()) } else { 0.0 };
+        Some(self.bottom + (level as f64 + f64::from(self.part(i)) + f64::from(over)) * self.height)
     }
 
     /// The middle of a voxel, m.
@@ -227,9 +231,10 @@ impl VoxelGrid {
         for level in within(2, self.levels) {
             for node in rows.clone().flat_map(|row| cols.clone().map(move |col| (row, col))) {
                 let node = self.plan.shape.index(node.0, node.1);
-                if self.material(level, node).is_some() && cut(self.middle(level, node)) {
-                    self.clear(level * self.plan.len() + node);
-                    emptied += 1;
+                let i = level * self.plan.len() + node;
+                if self.part(i) > 0.0 && cut(self.middle(level, node)) {
+                    emptied += usize::from(self.is_solid_at(i));
+                    self.clear(i);
                 }
             }
         }

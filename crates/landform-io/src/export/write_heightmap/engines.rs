@@ -9,16 +9,8 @@ use landform_core::Result;
 use landform_core::terrain::NodeSurface;
 
 use super::{Heights, Preset};
+use crate::export::layout::{self, Layout, Sizes, TileName};
 use crate::format::{STEPS, Sidecar, mesh_file_from_height_field, mesh_format, quantize, raster_format, write_exr_rgb};
-
-/// Sizes that an engine takes.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Sizes {
-    /// Squares with one of these numbers of nodes a side.
-    OneOf(&'static [usize]),
-    /// Any, with one spacing for both axes.
-    AnySquareCells,
-}
 
 /// An engine.
 pub(super) struct Engine {
@@ -30,6 +22,8 @@ pub(super) struct Engine {
     pub(super) extensions: &'static [&'static str],
     /// Sizes that it takes.
     pub(super) sizes: Sizes,
+    /// Names of tiles; none if it takes no tiles.
+    pub(super) tile: Option<TileName>,
     /// The file.
     pub(super) write: fn(&Heights) -> Result<Vec<u8>>,
     /// The numbers to type, and where.
@@ -37,9 +31,6 @@ pub(super) struct Engine {
     /// Whether the first row is the south edge.
     south_first: bool,
 }
-
-const UNREAL_SIZES: &[usize] = &[127, 253, 505, 1009, 2017, 4033, 8129];
-const UNITY_SIZES: &[usize] = &[33, 65, 129, 257, 513, 1025, 2049, 4097];
 
 pub(super) fn engine(preset: Preset) -> &'static Engine {
     match preset {
@@ -55,7 +46,8 @@ static UNREAL: Engine = Engine {
     word: "unreal",
     name: "Unreal Engine (Landscape)",
     extensions: &["png", "r16"],
-    sizes: Sizes::OneOf(UNREAL_SIZES),
+    sizes: layout::UNREAL,
+    tile: Some(layout::unreal_tile),
     write: by_extension,
     steps: unreal_steps,
     south_first: false,
@@ -65,7 +57,8 @@ static UNITY: Engine = Engine {
     word: "unity",
     name: "Unity (Terrain)",
     extensions: &["raw"],
-    sizes: Sizes::OneOf(UNITY_SIZES),
+    sizes: layout::UNITY,
+    tile: Some(layout::unity_tile),
     write: |heights| {
         // Unity reads the first row as the south edge.
         let samples = quantize(&heights.file());
@@ -81,6 +74,7 @@ static GODOT: Engine = Engine {
     name: "Godot (Terrain3D)",
     extensions: &["exr", "r16"],
     sizes: Sizes::AnySquareCells,
+    tile: Some(layout::godot_tile),
     write: |heights| {
         if heights.extension == "exr" { write_exr_rgb(&heights.file()) } else { by_extension(heights) }
     },
@@ -93,6 +87,7 @@ static BLENDER: Engine = Engine {
     name: "Blender",
     extensions: &["exr", "glb"],
     sizes: Sizes::AnySquareCells,
+    tile: None,
     write: |heights| {
         if heights.extension == "glb" {
             let format = mesh_format(std::path::Path::new("x.glb"))?;
@@ -110,6 +105,7 @@ static GIS: Engine = Engine {
     name: "GIS (QGIS, ArcGIS, GDAL)",
     extensions: &["tif", "tiff"],
     sizes: Sizes::AnySquareCells,
+    tile: None,
     write: by_extension,
     steps: gis_steps,
     south_first: false,
@@ -157,10 +153,40 @@ impl Engine {
                 "\nThe landscape has {c} x {r} nodes; it was resampled, bilinearly, to a size that fits here.\n"
             );
         }
+        if heights.layout.is_tiled() {
+            card += &self.tile_table(heights);
+        }
         if heights.filled > 0 {
             card += &format!("\n{} nodes without data were given the least height.\n", heights.filled);
         }
         card
+    }
+}
+
+impl Engine {
+    /// Files of tiles, and where their north-west corners lie.
+    fn tile_table(&self, heights: &Heights) -> String {
+        let Layout { tiles, tile, .. } = heights.layout;
+        let shared = match self.sizes {
+            Sizes::OneOf(_) => {
+                "Tiles that lie beside each other have their common border in both files, with the same numbers."
+            }
+            Sizes::AnySquareCells => "Regions share no nodes: the next one begins one spacing further on.",
+        };
+        let mut table = format!(
+            "\n## Tiles\n\n{} east x {} north, each of {} x {} nodes, all over the same range of heights. {shared}\n\n\
+             | file | north-west corner, m east | m south |\n|---|---|---|\n",
+            tiles[0], tiles[1], tile.cols, tile.rows
+        );
+        let whole = &heights.layout.whole;
+        for at in heights.layout.places() {
+            let Ok(grid) = heights.layout.tile_grid(at) else { continue };
+            let [east, south] = [grid.x(0) - whole.x(0), whole.y(0) - grid.y(0)];
+            let name = self.tile.map_or_else(String::new, |name| name(at, tiles));
+            table +=
+                &format!("| `{}` | {} | {} |\n", layout::tile_path(heights.file, &name), digits(east), digits(south));
+        }
+        table
     }
 }
 
@@ -182,8 +208,14 @@ fn unreal_steps(heights: &Heights) -> String {
     let grid = heights.field.grid();
     let [location, scale, epic] = unreal_numbers(heights.range);
     let [sx, sy] = [grid.spacing[0] * 100.0, grid.spacing[1] * 100.0];
+    let tiles = if heights.layout.is_tiled() {
+        " With tiles choose the one that ends with `_x0_y0`; x counts to the east, y to the south, as the level's axes do: \
+         do not flip them."
+    } else {
+        ""
+    };
     format!(
-        "1. Landscape mode, Manage, New, *Import from File*; choose `{}`.\n\
+        "1. Landscape mode, Manage, New, *Import from File*; choose `{}`.{tiles}\n\
          2. Type these numbers, then *Import*:\n\n\
          | field | X | Y | Z |\n|---|---|---|---|\n| Location | 0 | 0 | {} |\n| Scale | {} | {} | {} |\n\n\
          Sections and components are set by the size ({} quads a side): accept what the dialog proposes. Sea level (0 m) is then at Z = 0. \
@@ -199,17 +231,23 @@ fn unreal_steps(heights: &Heights) -> String {
 }
 
 fn unity_steps(heights: &Heights) -> String {
-    let grid = heights.field.grid();
-    let ([w, h], [least, greatest]) = (grid.extent(), heights.range);
+    let ([w, h], [least, greatest]) = (heights.layout.whole.extent(), heights.range);
+    let [w, h] = [w / heights.layout.tiles[0] as f64, h / heights.layout.tiles[1] as f64];
     format!(
-        "1. Terrain, Settings, Texture Resolutions, *Import Raw*; choose `{}`.\n\
+        "1. {} `{}`.\n\
          2. Type these numbers, then *Import*:\n\n\
          | field | value |\n|---|---|\n| Depth | Bit 16 |\n| Resolution | {} |\n| Byte Order | Windows |\n| Flip Vertically | off |\n\
          | Terrain Size X, Y, Z | {}, {}, {} |\n\n\
          3. Transform, Position Y: {}. Sea level (0 m) is then at Y = 0.\n\n\
          The first row of the file is the south edge, as Unity expects; north is +Z, east +X.\n",
+        if heights.layout.is_tiled() {
+            "Terrain Toolbox, Create New Terrain, Import Heightmap, *Batch*; the names end with x and z as it expects. Or, \
+             for each terrain: Settings, Texture Resolutions, *Import Raw*; choose the tile of"
+        } else {
+            "Terrain, Settings, Texture Resolutions, *Import Raw*; choose"
+        },
         heights.file,
-        grid.shape.cols,
+        heights.layout.tile.cols,
         digits(w),
         digits(greatest - least),
         digits(h),
@@ -220,7 +258,8 @@ fn unity_steps(heights: &Heights) -> String {
 fn godot_steps(heights: &Heights) -> String {
     let grid = heights.field.grid();
     let longer = grid.shape.cols.max(grid.shape.rows);
-    let region = [64, 128, 256, 512, 1024, 2048].into_iter().find(|r| r * 32 >= longer).unwrap_or(2048).max(256);
+    let fits = layout::REGIONS.iter().copied().find(|r| r * 32 >= longer).unwrap_or(2048).max(256);
+    let region = if heights.layout.is_tiled() { heights.layout.tile.cols } else { fits };
     let range = if heights.extension == "exr" {
         "| Import Scale, Offset | 1, 0 (the file holds metres) |".to_string()
     } else {

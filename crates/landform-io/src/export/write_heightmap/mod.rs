@@ -4,7 +4,6 @@ mod engines;
 
 use std::path::Path;
 
-use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, Interpolation, NodeSurface, resample};
 use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
@@ -12,7 +11,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::format::{RasterFile, sidecar_path};
-use engines::{Engine, Sizes};
+use engines::Engine;
+
+use super::layout::{Layout, MOST_TILES, tile_path};
 
 /// Writes elevation as a height map for an engine, with an import card (name.ext.md) that says
 /// which numbers to type: unreal (png, r16), unity (raw), godot (exr, r16), blender (exr, glb), gis
@@ -24,10 +25,16 @@ pub struct WriteHeightmap {
     pub path: String,
     /// Program that reads it.
     pub preset: Preset,
-    /// Number of nodes along a side. If not given, it is the engine's smallest size with at least
-    /// as many nodes as the landscape.
+    /// Number of nodes along a side, of each tile where there are several. If not given, it is the
+    /// engine's size that is nearest to the landscape's own; what it becomes is told.
     #[schemars(extend("x-min" = 2, "x-max" = 16_385))]
     pub size: Option<usize>,
+    /// Tiles east and north (unreal, unity, godot). Each has one of the engine's sizes and a name
+    /// by which the engine knows its place; all have one range of heights. Unreal's (_x0_y0) and
+    /// Unity's (_0_0) have common borders with the same numbers, Terrain3D's regions (_00_00) share
+    /// no nodes.
+    #[schemars(extend("x-min" = 1, "x-max" = 64))]
+    pub tiles: [usize; 2],
 }
 
 /// Program that reads a height map.
@@ -48,7 +55,7 @@ pub enum Preset {
 
 impl Default for WriteHeightmap {
     fn default() -> Self {
-        Self { path: "heightmap.tif".into(), preset: Preset::Gis, size: None }
+        Self { path: "heightmap.tif".into(), preset: Preset::Gis, size: None, tiles: [1, 1] }
     }
 }
 
@@ -57,7 +64,7 @@ impl Params for WriteHeightmap {
     const SOURCES: &'static [Source] = &[];
 
     fn bytes_a_node(&self) -> Option<u64> {
-        Some(56)
+        Some(BYTES_A_NODE)
     }
 
     fn reach(&self) -> Reach {
@@ -65,7 +72,13 @@ impl Params for WriteHeightmap {
     }
 
     fn outputs(&self) -> Vec<String> {
-        vec![self.path.clone(), sidecar_path(&self.path), format!("{}.md", self.path)]
+        let card = format!("{}.md", self.path);
+        let file = |path: String| [sidecar_path(&path), path];
+        let [east, north] = self.tiles.map(|n| n.min(MOST_TILES));
+        let name = self.engine().tile.filter(|_| self.tiles != [1, 1]);
+        let Some(name) = name else { return file(self.path.clone()).into_iter().chain([card]).collect() };
+        let places = (0..north).flat_map(|y| (0..east).map(move |x| [x, y]));
+        places.flat_map(|at| file(tile_path(&self.path, &name(at, self.tiles)))).chain([card]).collect()
     }
 
     fn check(&self) -> Result<()> {
@@ -80,13 +93,11 @@ impl Params for WriteHeightmap {
             let expected = "a name without 1009x1009 or _x0_y0 in it: Unreal takes it for one tile of many";
             return Err(Error::parameter("path", format!("\"{}\"", self.path), expected));
         }
-        match (self.size, engine.sizes) {
-            (Some(size), Sizes::OneOf(sizes)) if !sizes.contains(&size) => {
-                let all = sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
-                Err(Error::parameter("size", size, &format!("one of {all} for preset \"{}\"", engine.word)))
-            }
-            _ => Ok(()),
+        if self.tiles != [1, 1] && engine.tile.is_none() {
+            let expected = format!("[1, 1] for preset \"{}\", which takes one file", engine.word);
+            return Err(Error::parameter("tiles", format!("{:?}", self.tiles), &expected));
         }
+        engine.sizes.check(engine.word, self.size, self.tiles)
     }
 }
 
@@ -118,15 +129,20 @@ pub(super) struct Heights<'a> {
     pub(super) filled: usize,
     /// Nodes of the landscape itself.
     pub(super) from: [usize; 2],
+    /// The tiles.
+    pub(super) layout: Layout,
 }
 
 impl Heights<'_> {
     /// As a file of rasters.
     pub(super) fn file(&self) -> RasterFile<'_> {
-        RasterFile::real(self.field.grid(), self.field.elevation(), "elevation", "m", self.seed)
+        let file = RasterFile::real(self.field.grid(), self.field.elevation(), "elevation", "m", self.seed);
+        RasterFile { spread: self.layout.is_tiled().then_some(self.range), ..file }
     }
 }
 
+/// Bytes a node of the engine's raster, as measured.
+const BYTES_A_NODE: u64 = 56;
 /// Relief below this counts as level ground, m.
 const FLAT: f64 = 1e-3;
 
@@ -139,42 +155,11 @@ impl WriteHeightmap {
         Path::new(&self.path).extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
     }
 
-    /// The engine's grid over the landscape's rectangle; square cells may leave out less than a
-    /// cell in the south and east.
-    fn grid(&self, own: &Grid) -> Result<Grid> {
-        let engine = self.engine();
-        match (self.size, engine.sizes) {
-            (Some(size), Sizes::OneOf(_)) => own.with_shape(size, size),
-            (None, Sizes::OneOf(sizes)) => {
-                let most = own.shape.cols.max(own.shape.rows);
-                let fits = sizes.iter().copied().find(|&s| s >= most).ok_or_else(|| {
-                    let value = format!("not given for {} x {} nodes", own.shape.cols, own.shape.rows);
-                    let greatest = sizes[sizes.len() - 1];
-                    let expected =
-                        format!("at most {greatest} for preset \"{}\"; give `size` to go coarser", engine.word);
-                    Error::parameter("size", value, &expected)
-                })?;
-                own.with_shape(fits, fits)
-            }
-            (None, Sizes::AnySquareCells) if own.spacing[0] == own.spacing[1] => Ok(own.clone()),
-            (size, Sizes::AnySquareCells) => {
-                let [w, h] = own.extent();
-                let cell = match size {
-                    Some(size) => w.max(h) / (size - 1) as f64,
-                    None => own.spacing[0].min(own.spacing[1]),
-                };
-                if !(cell > 0.0) {
-                    return Ok(own.clone());
-                }
-                let count = |e: f64| (e / cell * (1.0 + 1e-12)).floor() as usize + 1;
-                own.with_spacing([cell; 2], Shape::new(count(h), count(w)))
-            }
-        }
-    }
-
     fn heights<'a>(&'a self, landscape: &Landscape<'a, HeightField>) -> Result<Heights<'a>> {
         let source = landscape.terrain;
-        let grid = self.grid(source.grid())?;
+        let engine = self.engine();
+        let layout = engine.sizes.layout(engine.word, source.grid(), self.size, self.tiles, BYTES_A_NODE)?;
+        let grid = layout.whole.clone();
         let from = [source.grid().shape.cols, source.grid().shape.rows];
         let mut field =
             if grid == *source.grid() { source.clone() } else { resample(source, &grid, Interpolation::Linear)? };
@@ -202,6 +187,7 @@ impl WriteHeightmap {
             seed: landscape.seed,
             filled: if keep_holes { 0 } else { filled },
             from,
+            layout,
         })
     }
 }
@@ -210,11 +196,30 @@ impl Export<HeightField> for WriteHeightmap {
     fn export(&self, landscape: &Landscape<'_, HeightField>, out: &mut dyn Output) -> Result<()> {
         let heights = self.heights(landscape)?;
         let engine = self.engine();
-        let [bytes, card] = [(engine.write)(&heights)?, engine.card(&heights).into_bytes()];
-        out.put(&self.path, &bytes)?;
-        if let Some(sidecar) = engine.sidecar(&heights) {
-            out.put(&sidecar_path(&self.path), &sidecar.text()?)?;
+        if let Some(note) = heights.layout.note(&self.path, landscape.terrain.grid()) {
+            out.note(note);
         }
-        out.put(&format!("{}.md", self.path), &card)
+        match engine.tile.filter(|_| heights.layout.is_tiled()) {
+            None => write(engine, &heights, out)?,
+            Some(name) => {
+                for at in heights.layout.places() {
+                    let field = heights.field.window(&heights.layout.tile_grid(at)?)?;
+                    let file = tile_path(&self.path, &name(at, self.tiles));
+                    let layout = heights.layout.clone();
+                    let extension = heights.extension.clone();
+                    write(engine, &Heights { field, file: &file, layout, extension, ..heights }, out)?;
+                }
+            }
+        }
+        out.put(&format!("{}.md", self.path), engine.card(&heights).as_bytes())
+    }
+}
+
+/// A file, and its sidecar where the format does not say what its numbers mean.
+fn write(engine: &Engine, heights: &Heights, out: &mut dyn Output) -> Result<()> {
+    out.put(heights.file, &(engine.write)(heights)?)?;
+    match engine.sidecar(heights) {
+        Some(sidecar) => out.put(&sidecar_path(heights.file), &sidecar.text()?),
+        None => Ok(()),
     }
 }

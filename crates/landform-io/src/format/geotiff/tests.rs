@@ -39,6 +39,7 @@ fn every_layout_is_read_back_with_its_georeference() {
                 let source = field(rows, cols, Georeference { epsg, registration, ..Georeference::default() });
                 for geotiff in options() {
                     let file = RasterFile {
+                        spread: None,
                         grid: source.grid(),
                         values: source.elevation(),
                         field: "elevation",
@@ -71,6 +72,7 @@ fn longitude_and_latitude_are_known_as_such() {
         Georeference { epsg: Some(4326), geographic: true, registration, ..Georeference::default() }
     });
     let file = RasterFile {
+        spread: None,
         grid: source.grid(),
         values: source.elevation(),
         field: "elevation",

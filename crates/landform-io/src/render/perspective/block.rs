@@ -3,6 +3,7 @@
 use landform_core::grid::{Grid, Shape};
 use landform_core::terrain::{HeightField, NodeSurface};
 
+use crate::render::ground::has_sea;
 use crate::vector::Vector;
 
 /// Blocks along a side whose highest points the frame must hold.
@@ -44,14 +45,8 @@ pub(super) fn outline(grid: &Grid, surface: &[f64], foot: f64) -> Vec<Vector> {
 
 /// Depth of lakes (if `inland`) and of the sea over each node, m. Sea is what lies below its level
 /// in a land that also rises above it.
-pub(super) fn water_depth(
-    field: &HeightField,
-    lake: &[f64],
-    (lo, hi): (f64, f64),
-    level: f64,
-    inland: bool,
-) -> Vec<f64> {
-    let has_sea = lo < level && hi > level;
+pub(super) fn water_depth(field: &HeightField, lake: &[f64], range: (f64, f64), level: f64, inland: bool) -> Vec<f64> {
+    let has_sea = has_sea(field, range, level);
     let depth = |(i, &z): (usize, &f64)| {
         if has_sea && z < level {
             level - z

@@ -21,15 +21,17 @@ mod sky;
 
 use std::borrow::Cow;
 
+use landform_core::algo::derivative::gradient;
 use landform_core::grid::Shape;
 use landform_core::parallel;
 use landform_core::random::Seed;
-use landform_core::terrain::{HeightField, Refine};
+use landform_core::terrain::{HeightField, NodeSurface, Refine};
 
 use super::Picture;
 use super::colour::{Rgb, blend, scale, to_srgb};
 pub(crate) use block_view::BlockView;
 use camera::Camera;
+use paint::Paint;
 use scene::Scene;
 
 /// Where the camera stands and how the picture is made.
@@ -104,6 +106,26 @@ impl Default for View {
     }
 }
 
+/// Colours of the ground alone on every node, without light and shadow.
+pub(super) fn ground_colours(field: &HeightField, river: Vec<f64>, sea_level: f64) -> Vec<Rgb> {
+    let grid = field.grid();
+    let view = View { sea_level, ..View::default() };
+    let paint = Paint::new(field, river, block::range(field.elevation()), &view);
+    let cols = grid.shape.cols;
+    let mut colours = vec![[0.0; 3]; grid.len()];
+    parallel::for_rows_mut(&mut colours, cols, |row, colours| {
+        let painted = paint.row(grid, row);
+        for (col, colour) in colours.iter_mut().enumerate() {
+            let i = row * cols + col;
+            let z = field.elevation()[i];
+            if z.is_finite() {
+                *colour = paint.ground(&painted, col, i, z, gradient(grid, field.elevation(), i));
+            }
+        }
+    });
+    colours
+}
+
 /// Draws a raster in perspective. Nodata is left out as if it lay at the foot of the block.
 pub fn perspective(field: &HeightField, view: &View) -> Picture {
     let field = as_fine_as_seen(field, view);
@@ -168,7 +190,10 @@ fn as_fine_as_seen<'a>(field: &'a HeightField, view: &View) -> Cow<'a, HeightFie
     };
     while is_too_fine(&field) {
         match field.coarser() {
-            Some(coarser) => field = Cow::Owned(coarser),
+            Some(mut coarser) => {
+                *coarser.features_mut() = field.features().clone();
+                field = Cow::Owned(coarser);
+            }
             None => break,
         }
     }
@@ -181,7 +206,6 @@ mod tests {
     use crate::vector::{self, dot, sub};
     use landform_core::grid::Grid;
     use landform_core::math;
-    use landform_core::terrain::NodeSurface;
 
     #[test]
     fn the_frame_holds_the_highest_summit() {

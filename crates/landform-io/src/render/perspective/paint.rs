@@ -90,7 +90,8 @@ impl Paint {
             fractal.along(Seed(seed), &xs, &ys, &mut noise);
             noise
         };
-        let stands = if self.is_desert() { Vec::new() } else { noise(60.0, 5, 6, 2.1, 0.7) };
+        let stands =
+            if self.is_desert() || self.cover.has_objects() { Vec::new() } else { noise(60.0, 5, 6, 2.1, 0.7) };
         PaintedRow { patches: noise(24.0, 3, 5, 2.0, 0.55), stands }
     }
 

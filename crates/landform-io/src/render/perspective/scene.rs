@@ -14,7 +14,7 @@ use super::relief::Relief;
 use super::sky::Sky;
 use crate::render::colour::{Rgb, blend, hex, mix, scale};
 use crate::render::cover::cut;
-use crate::render::ground::{CUT, DEEP};
+use crate::render::ground::{CUT, DEEP, DEEPENS, LAGOON, has_coral};
 use crate::render::light::{sky_view, sun_view};
 use crate::render::{Waters, waters};
 use crate::vector::{Vector, along, dot, normalize};
@@ -62,6 +62,8 @@ pub(super) struct Scene<'a> {
     foot: f64,
     sun: Vector,
     sky: Sky,
+    /// Whether the water is clear, as over coral reefs.
+    is_clear: bool,
     around: Option<Around>,
 }
 
@@ -158,6 +160,7 @@ impl<'a> Scene<'a> {
             sun: [math::sin(view.sun) * ca, math::cos(view.sun) * ca, math::sin(view.sun_altitude)],
             // A model stands before a backdrop, land under the sky.
             sky: Sky::rising_from(if view.standpoint.is_some() { -0.06 } else { -0.35 }),
+            is_clear: has_coral(field),
             around: view.standpoint.map(|_| {
                 let sea = view.sea_level;
                 let is_sea = hi > sea && wet_border(grid.shape, field.elevation(), sea) > 0.3;
@@ -322,7 +325,8 @@ impl<'a> Scene<'a> {
         if skin.water <= 0.0 {
             return ground;
         }
-        let deep = lit(hex(DEEP), [0.0, 0.0, 1.0]);
+        let lagoon = || mix(hex(DEEP), hex(LAGOON), math::exp(-skin.water / DEEPENS));
+        let deep = lit(if self.is_clear { lagoon() } else { hex(DEEP) }, [0.0, 0.0, 1.0]);
         let murk = 1.0 - 0.65 * math::exp(-skin.water / 3.0);
         let below = blend(scale(ground, 0.7), deep, murk);
         // Brooks and shores show the ground through.

@@ -116,3 +116,27 @@ fn a_lake_is_filled_to_its_surface_and_no_higher() {
     let (bare, filled) = (run(0.0), run(2.0));
     assert!(filled < 0.5 * bare, "{filled} of {bare}");
 }
+
+#[test]
+fn what_was_laid_down_and_cut_is_summed_to_the_budget() {
+    use landform_core::field::names;
+    let mut terrain = mesh(1_500);
+    terrain
+        .change(Layer::Bedrock, |z| z.iter_mut().enumerate().for_each(|(i, z)| *z += 60.0 * Seed(2).uniform(i as u64)));
+    let domain = terrain.domain();
+    for g in [1.0, 0.0] {
+        let mut model = Model::new(terrain.clone()).dt(20.0 * KYR);
+        model.add(settling(g, 0.5, 1.0)).unwrap();
+        model.advance_steps(12).unwrap();
+        let sum = |key| {
+            let values = model.terrain().fields().get(key, "test").unwrap();
+            assert!(values.iter().all(|v| *v >= 0.0));
+            (0..values.len()).map(|i| values[i] * domain.area(i)).sum::<f64>()
+        };
+        let (laid, cut) = (sum(&names::DEPOSITION), sum(&names::INCISION));
+        let change = model.budget().change;
+        assert!((laid - change.deposited).abs() <= 1e-9 * laid, "{laid} {}", change.deposited);
+        assert_eq!(laid > 0.0, g > 0.0);
+        assert!((cut / change.eroded - 1.0).abs() < 1e-9, "{cut} {}", change.eroded);
+    }
+}
