@@ -101,14 +101,20 @@ impl<'a> Scene<'a> {
         None
     }
 
+    /// That of the surface which the parts of voxels add up to: by how full they are alone, slopes
+    /// would be stairs.
     fn normal(&self, p: Vector) -> Vector {
-        let slope = |k: usize| {
-            let (mut a, mut b) = (p, p);
-            a[k] = (a[k] - self.side[k]).max(self.low[k]);
-            b[k] = (b[k] + self.side[k]).min(self.high[k]);
-            (self.part(a) - self.part(b)) / self.side[k]
-        };
-        normalize([slope(0), slope(1), slope(2)])
+        // The sides of the block are cuts.
+        for k in 0..2 {
+            let near = 1e-3 * self.side[k];
+            let out = f64::from(i8::from(p[k] > self.high[k] - near) - i8::from(p[k] < self.low[k] + near));
+            if out != 0.0 {
+                let mut normal = [0.0; 3];
+                normal[k] = out;
+                return normal;
+            }
+        }
+        self.ground.contact(p).map_or([0.0, 0.0, 1.0], |(_, normal)| normal)
     }
 
     /// How much of the sky a place sees, 0 to 1.

@@ -60,9 +60,21 @@ impl<T: Erodible> Source<'_, T> {
             Emitter::Point(ball) => {
                 let off = [within(-1.0, 1.0), within(-1.0, 1.0), within(-1.0, 1.0)];
                 let is_in = off.iter().map(|v| v * v).sum::<f64>() <= 1.0;
-                is_in.then(|| [0, 1, 2].map(|k| ball.at[k].si() + off[k] * ball.radius.si()))
+                let at = [0, 1, 2].map(|k| ball.at[k].si() + off[k] * ball.radius.si());
+                is_in.then(|| self.lifted(at, body))
             }
-            Emitter::Box(sides) => Some([0, 1, 2].map(|k| within(sides.low[k].si(), sides.high[k].si()))),
+            Emitter::Box(sides) => {
+                let at = [0, 1, 2].map(|k| within(sides.low[k].si(), sides.high[k].si()));
+                Some(self.lifted(at, body))
+            }
         }
+    }
+
+    /// A place, or one over the ground where it lies under it: a vent rises with what it builds.
+    fn lifted(&self, at: [f64; 3], body: &Body) -> [f64; 3] {
+        let [x, y, z] = at;
+        let is_under = self.ground.depth_at(at).is_some_and(|depth| depth >= 0.0);
+        let surface = if is_under { self.ground.height_at([x, y]) } else { None };
+        [x, y, surface.map_or(z, |surface| surface + 0.5 * body.radius)]
     }
 }

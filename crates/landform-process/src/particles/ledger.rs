@@ -4,7 +4,7 @@ use landform_core::terrain::{Bounds, Brush, Erodible};
 use landform_core::verb::Change;
 use serde::{Deserialize, Serialize};
 
-use super::path::{End, Trace, below};
+use super::path::{End, Trace, lies};
 
 /// What is in transport between particles, by number of the material, and what is still to be
 /// removed.
@@ -95,7 +95,7 @@ impl Stock {
                 self.load.fill(0.0);
             }
             End::Here(at) => {
-                let brush = Brush { at: below(ground, bounds, at), radius: trace.radius };
+                let brush = Brush { at: lies(ground, bounds, at, trace.radius), radius: trace.radius };
                 books.laid += self.lay(ground, deposits, brush, f64::INFINITY);
             }
         }

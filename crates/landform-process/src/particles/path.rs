@@ -303,8 +303,42 @@ fn push(body: &Body, density: f64, rise: f64, flow: [f64; 3], velocity: [f64; 3]
     [drag(0), drag(1), drag(2) + rise]
 }
 
-/// The ground straight below a place, on which a load falls.
-pub(super) fn below<T: Erodible>(ground: &T, bounds: &Bounds, at: [f64; 3]) -> [f64; 3] {
+/// Steepest slope on which a load lies: 35 degrees.
+const LIES: f64 = 0.7;
+/// Radii that a load slides at most.
+const MOST_SLIDES: usize = 32;
+const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Ways to slide, east and north.
+const WAYS: [[f64; 2]; 8] = [
+    [1.0, 0.0],
+    [DIAGONAL, DIAGONAL],
+    [0.0, 1.0],
+    [-DIAGONAL, DIAGONAL],
+    [-1.0, 0.0],
+    [-DIAGONAL, -DIAGONAL],
+    [0.0, -1.0],
+    [DIAGONAL, -DIAGONAL],
+];
+
+/// Where a load that is dropped comes to lie: on the ground below, and from there down as long as
+/// it is steeper than a heap over the radius of the particle.
+pub(super) fn lies<T: Erodible>(ground: &T, bounds: &Bounds, at: [f64; 3], radius: f64) -> [f64; 3] {
+    let reach = radius.max(ground.resolution());
+    let mut place = below(ground, bounds, at);
+    for _ in 0..MOST_SLIDES {
+        let beside = WAYS.map(|[x, y]| [place[0] + reach * x, place[1] + reach * y, place[2]]);
+        let open = beside.into_iter().filter(|&start| ground.depth_at(start).is_some_and(|depth| depth < 0.0));
+        let lowest = open.map(|start| below(ground, bounds, start)).min_by(|a, b| a[2].total_cmp(&b[2]));
+        match lowest.filter(|lowest| place[2] - lowest[2] > LIES * reach) {
+            Some(lowest) => place = lowest,
+            None => break,
+        }
+    }
+    place
+}
+
+/// The ground straight below a place.
+fn below<T: Erodible>(ground: &T, bounds: &Bounds, at: [f64; 3]) -> [f64; 3] {
     let step = 0.5 * ground.resolution();
     let most = ((at[2] - bounds.low[2]) / step).clamp(0.0, 1e6) as usize;
     let mut place = at;
