@@ -101,8 +101,8 @@ impl<'a> Scene<'a> {
         None
     }
 
-    /// That of the surface which the parts of voxels add up to: by how full they are alone, slopes
-    /// would be stairs.
+    /// That of the surface which the parts of voxels add up to, the mean around a place: by how full
+    /// they are alone, slopes would be stairs.
     fn normal(&self, p: Vector) -> Vector {
         // The sides of the block are cuts.
         for k in 0..2 {
@@ -114,7 +114,15 @@ impl<'a> Scene<'a> {
                 return normal;
             }
         }
-        self.ground.contact(p).map_or([0.0, 0.0, 1.0], |(_, normal)| normal)
+        let mut sum = [0.0; 3];
+        for (axis, by) in (0..3).flat_map(|axis| [(axis, -0.6), (axis, 0.6)]) {
+            let mut beside = p;
+            beside[axis] += by * self.side[axis];
+            if let Some((_, normal)) = self.ground.contact(beside) {
+                (0..3).for_each(|k| sum[k] += normal[k]);
+            }
+        }
+        if sum == [0.0; 3] { [0.0, 0.0, 1.0] } else { normalize(sum) }
     }
 
     /// How much of the sky a place sees, 0 to 1.

@@ -257,11 +257,20 @@ impl Erodible for VoxelGrid {
         self.make_fillable();
     }
 
-    /// That of the voxel there, or of the nearest beside it that holds something.
+    /// That of the voxel at the surface in the column there, along the axis that it faces.
     fn material_at(&self, place: [f64; 3]) -> u8 {
-        let radius = 1.8 * self.plan.spacing[0].max(self.plan.spacing[1]).max(self.height);
-        let under = self.under(Brush { at: place, radius });
-        under.into_iter().map(|v| self.voxels[v.0]).find(|v| *v != EMPTY).unwrap_or(0)
+        let counts = self.counts();
+        let near = self.lattice(place).map(|v| v.floor() as i64);
+        let mut voxel = [0, 1, 2].map(|k| near[k].clamp(0, counts[k] - 1));
+        let facing = self.facing(voxel);
+        let solid = |voxel: [i64; 3]| self.part(self.index_of(voxel)) > 0.0;
+        for _ in 0..4 {
+            if solid(voxel) {
+                return self.voxels[self.index_of(voxel)];
+            }
+            voxel[facing.axis] = (voxel[facing.axis] - facing.out).clamp(0, counts[facing.axis] - 1);
+        }
+        0
     }
 
     /// Whole voxels, the nearest first, and what is left of the volume stays; or parts of voxels.
