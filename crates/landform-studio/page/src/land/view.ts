@@ -1,0 +1,170 @@
+// The picture in three dimensions: draws when something has changed, coarser while it moves where the machine is slow.
+import { GLSL3, Matrix4, Mesh, OrthographicCamera, PerspectiveCamera, RawShaderMaterial, Scene, WebGLRenderer } from "three";
+import { extent } from "../model/raster.ts";
+import { eye, FIELD_OF_VIEW, homeView, type Orbit } from "./camera.ts";
+import { fullPicture } from "./mesh.ts";
+import { SKY_FRAGMENT, SKY_VERTEX } from "./shaders.ts";
+import type { LandState } from "./state.ts";
+import { Terrain, type Drawn } from "./terrain.ts";
+
+/** A second state to the right of `split` (0 to 1 of the width), or in place of the first. */
+export interface Beside {
+  state: LandState;
+  split: number;
+}
+
+export class LandView {
+  private readonly renderer: WebGLRenderer;
+  private readonly camera = new PerspectiveCamera((FIELD_OF_VIEW * 180) / Math.PI, 1, 1, 10);
+  private readonly first: Terrain;
+  private second: Terrain | null = null;
+  private readonly sky = new Scene();
+  private readonly flat = new OrthographicCamera();
+  private readonly horizon = { value: 0.6 };
+  /** Whether pictures are made by the processor: then fewer pixels while moving. */
+  readonly software: boolean;
+  private scale = 1;
+  private pending = 0;
+  private settle: number | undefined;
+  private size: [number, number] = [1, 1];
+  state: LandState | null = null;
+  beside: Beside | null = null;
+  orbit: Orbit | null = null;
+  drawn: Drawn | null = null;
+  /** Called after each picture, with the milliseconds that it took to ask for it. */
+  onDrawn: (milliseconds: number) => void = () => {};
+
+  constructor(readonly canvas: HTMLCanvasElement) {
+    const context = canvas.getContext("webgl2", { antialias: true, powerPreference: "high-performance", preserveDrawingBuffer: false });
+    if (!context) throw new Error("This browser has no WebGL 2. The map still works.");
+    const info = context.getExtension("WEBGL_debug_renderer_info");
+    const name = String(info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
+    this.software = /swiftshader|llvmpipe|software/i.test(name);
+    this.renderer = new WebGLRenderer({ canvas, context });
+    this.renderer.autoClear = false;
+    this.first = new Terrain(this.squares());
+    this.camera.up.set(0, 0, 1);
+    const sky = new Mesh(fullPicture(), new RawShaderMaterial({
+      glslVersion: GLSL3, vertexShader: SKY_VERTEX, fragmentShader: SKY_FRAGMENT, uniforms: { uHorizon: this.horizon }, depthTest: false, depthWrite: false,
+    }));
+    sky.frustumCulled = false;
+    this.sky.add(sky);
+  }
+
+  private squares(): number {
+    return this.software ? 384 : 1024;
+  }
+
+  resize(width: number, height: number): void {
+    this.size = [Math.max(1, width), Math.max(1, height)];
+    this.redraw();
+  }
+
+  /** The view in which the whole land is seen. */
+  home(): Orbit | null {
+    if (!this.state || !this.drawn) return null;
+    const [w, h] = extent(this.state.ground);
+    return homeView(w, h, (this.state.ground.max - this.state.ground.min) * this.drawn.tall, this.size[0] / this.size[1]);
+  }
+
+  /** Asks for a picture; many calls before the next one make one picture. `quick`: something moves. */
+  redraw(quick = false): void {
+    window.clearTimeout(this.settle);
+    if (quick) this.settle = window.setTimeout(() => this.redraw(), 180);
+    const scale = quick && this.software ? 0.5 : 1;
+    if (this.pending) {
+      this.scale = Math.min(this.scale, scale);
+      return;
+    }
+    this.scale = scale;
+    this.pending = requestAnimationFrame(() => {
+      this.pending = 0;
+      this.draw(quick);
+    });
+  }
+
+  private draw(quick: boolean): void {
+    const start = performance.now();
+    const { renderer, camera, state, drawn } = this;
+    const [width, height] = this.size;
+    const ratio = (this.software ? 1 : Math.min(window.devicePixelRatio || 1, 2)) * this.scale;
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(width, height, false);
+    this.orbit ??= this.home();
+    const orbit = this.orbit;
+    if (!state || !drawn || !orbit) {
+      renderer.setScissorTest(false);
+      renderer.clear();
+      renderer.render(this.sky, this.flat);
+      return;
+    }
+    const at = eye(orbit);
+    const [w, h] = extent(state.ground);
+    const tall = (state.ground.max - state.ground.min) * drawn.tall;
+    const reach = Math.hypot(w, h) + tall;
+    camera.aspect = width / height;
+    camera.near = Math.max(orbit.distance * 0.02, reach * 0.0005);
+    camera.far = orbit.distance + reach * 2;
+    camera.position.set(...at);
+    camera.lookAt(...orbit.target);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    this.horizon.value = 0.5 + Math.tan(orbit.pitch) / (2 * Math.tan(FIELD_OF_VIEW / 2));
+    const viewProjection = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+
+    this.first.show(state);
+    this.first.prepare(renderer, drawn, at, viewProjection, quick && this.software);
+    if (this.beside) {
+      this.second ??= new Terrain(this.squares());
+      this.second.show(this.beside.state);
+      this.second.prepare(renderer, drawn, at, viewProjection, quick && this.software);
+    }
+    renderer.setScissorTest(false);
+    renderer.clear();
+    renderer.render(this.sky, this.flat);
+    if (this.beside && this.second) {
+      const cut = Math.round(width * this.beside.split);
+      renderer.setScissorTest(true);
+      if (cut > 0) {
+        renderer.setScissor(0, 0, cut, height);
+        renderer.render(this.first.scene, camera);
+      }
+      if (cut < width) {
+        renderer.setScissor(cut, 0, width - cut, height);
+        renderer.render(this.second.scene, camera);
+      }
+      renderer.setScissorTest(false);
+    } else {
+      renderer.render(this.first.scene, camera);
+    }
+    this.onDrawn(performance.now() - start);
+  }
+
+  /** The ray under a place of the picture (parts of its width and height from the top left). */
+  ray(x: number, y: number): { from: [number, number, number]; way: [number, number, number] } | null {
+    if (!this.orbit) return null;
+    const inverse = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).invert();
+    const at = (depth: number) => project(inverse, x * 2 - 1, 1 - y * 2, depth);
+    const from = at(-1), to = at(1);
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    return { from, way: [(to[0] - from[0]) / length, (to[1] - from[1]) / length, (to[2] - from[2]) / length] };
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.pending);
+    window.clearTimeout(this.settle);
+    this.first.dispose();
+    this.second?.dispose();
+    this.renderer.dispose();
+  }
+}
+
+function project(m: Matrix4, x: number, y: number, z: number): [number, number, number] {
+  const e = m.elements;
+  const w = e[3]! * x + e[7]! * y + e[11]! * z + e[15]!;
+  return [
+    (e[0]! * x + e[4]! * y + e[8]! * z + e[12]!) / w,
+    (e[1]! * x + e[5]! * y + e[9]! * z + e[13]!) / w,
+    (e[2]! * x + e[6]! * y + e[10]! * z + e[14]!) / w,
+  ];
+}

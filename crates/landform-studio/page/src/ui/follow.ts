@@ -1,0 +1,13 @@
+// Sizes of elements, and the wish to see the whole land.
+import { signal } from "@preact/signals";
+
+/** Grows by one when the whole land shall be shown. */
+export const homeAsked = signal(0);
+
+/** Calls with the element's size, now and when it changes. */
+export function follow(element: HTMLElement, resized: (width: number, height: number) => void): () => void {
+  const observer = new ResizeObserver(() => resized(element.clientWidth, element.clientHeight));
+  observer.observe(element);
+  resized(element.clientWidth, element.clientHeight);
+  return () => observer.disconnect();
+}
