@@ -1,4 +1,5 @@
 // A stand-in for the server: the same words, a small erosion model, no files. `node tests/mock.mjs [PORT]`.
+// LAND=heights.npy (32-bit floats; SEA=0: sea level, CELL=30: metres) shows these heights instead of the model's.
 import { createServer } from "node:http";
 import { readFile, readdir } from "node:fs/promises";
 import { dirname, join, normalize } from "node:path";
@@ -28,6 +29,16 @@ const DEFAULTS = {
   linear_diffusion: { diffusivity: "0.01 m2/yr" },
 };
 
+/** Heights of a file of NumPy (little-endian 32-bit floats, rows first). */
+async function readNpy(path) {
+  const bytes = await readFile(path);
+  const length = bytes.readUInt16LE(8);
+  const [rows, cols] = /\((\d+), (\d+)/.exec(bytes.toString("latin1", 10, 10 + length)).slice(1).map(Number);
+  return { rows, cols, z: new Float32Array(bytes.buffer.slice(bytes.byteOffset + 10 + length, bytes.byteOffset + 10 + length + rows * cols * 4)) };
+}
+
+const land = process.env.LAND ? await readNpy(process.env.LAND) : null;
+
 class Studio {
   constructor(say, send) {
     Object.assign(this, { say, send, revision: 0, frame: 0, seed: 7, title: null, stages: [], undone: [], done: [], unacknowledged: 0, timer: null });
@@ -39,6 +50,7 @@ class Studio {
   }
 
   change(act) {
+    this.typed = null;
     this.done.push(this.snapshot());
     this.undone = [];
     act();
@@ -46,6 +58,7 @@ class Studio {
   }
 
   text() {
+    if (this.typed) return this.typed;
     const inline = (t) => Object.entries(t).map(([k, v]) => `${k} = ${JSON.stringify(v)}`).join(", ");
     const stage = (s) => {
       const rows = [`[[stage]]`, `use = "${s.use}"`, ...Object.entries(s.given).map(([k, v]) => (k === "clock" ? `clock = { ${inline(v)} }` : `${k} = ${JSON.stringify(v)}`))];
@@ -86,6 +99,7 @@ class Studio {
 
   start(level, stamp = null) {
     clearTimeout(this.timer);
+    if (land) return this.showLand(stamp);
     const levels = level === "auto" ? [[96, "1/4"], [192, "1/2"]] : [[192, "1/2"]];
     const grow = ([size, name], rest) => {
       const ground = new Ground(size, 32768 / size, this.seed);
@@ -108,6 +122,20 @@ class Studio {
     };
     this.run.paused = false;
     grow(levels[0], levels.slice(1));
+  }
+
+  showLand(stamp) {
+    const { rows, cols, z } = land;
+    const cell = Number(process.env.CELL ?? 30), sea = process.env.SEA === undefined ? null : Number(process.env.SEA);
+    this.frame++;
+    for (let row0 = 0; row0 < rows; row0 += 256) {
+      const band_rows = Math.min(256, rows - row0);
+      this.send(encode({
+        protocol: 1, session: "mock", revision: this.revision, frame: this.frame, layer: "elevation", level: "build", rows, cols, row0, band_rows, last: row0 + band_rows === rows,
+        cell_size: [cell, cell], origin: [0, 0], time: 0, stage: 1, encoding: "f32", nodata: null, sea_level: sea, stamp,
+      }, z.subarray(row0 * cols, (row0 + band_rows) * cols)));
+    }
+    this.tellRun({ level: "build", running: false });
   }
 
   tellRun(change) {
@@ -175,7 +203,7 @@ class Studio {
       case "step": return;
       case "stop": clearTimeout(this.timer); return this.tellRun({ running: false, paused: false });
       case "ack": this.unacknowledged = Math.max(0, this.unacknowledged - 1); return;
-      case "text": this.tellRecipe(/\[\[stage\]\]/.test(m.text) ? [] : [{ line: 1, column: 1, what: "a recipe needs at least one stage", hint: "Write [[stage]]", stage: null }]); return;
+      case "text": this.typed = m.text; this.tellRecipe(!/\[\[stag\]\]/.test(m.text) ? [] : [{ line: 1, column: 1, what: "the key `stag` is not known", hint: "Did you mean `stage`?", stage: null }]); return;
       case "paint": return this.paint(m);
       case "contact": return m.seeds.forEach((seed, i) => setTimeout(() => this.say({ tell: "contact", seed, png: thumbnail(seed) }), 120 * (i + 1)));
       case "build": this.tellRun({ building: true }); setTimeout(() => { this.tellRun({ building: false }); this.say({ tell: "built", files: [{ path: "land.png", bytes: 2_100_000 }], seconds: 3.2 }); }, 800); return;

@@ -14,14 +14,30 @@ export const LEAST_PITCH = 0.03;
 export const MOST_PITCH = Math.PI / 2 - 0.001;
 export const FIELD_OF_VIEW = 32 * (Math.PI / 180);
 
-/** The view in which land of a size (metres) fills the picture. */
+/** The view in which land of a size (metres) fills a picture of an aspect, seen from the south-south-east. */
 export function homeView(width: number, height: number, relief: number, aspect: number): Orbit {
-  const heading = -0.62;
-  const pitch = 0.55;
-  const radius = Math.hypot(width, height) / 2;
-  const across = 2 * Math.atan(Math.tan(FIELD_OF_VIEW / 2) * Math.max(aspect, 0.1));
-  const needed = Math.min(across * 0.92, FIELD_OF_VIEW * 1.5);
-  return { target: [0, 0, relief * 0.25], heading, pitch, distance: radius / Math.sin(needed / 2) };
+  const view: Orbit = { target: [0, 0, relief * 0.3], heading: -0.4, pitch: 0.62, distance: 1 };
+  const up = Math.tan(FIELD_OF_VIEW / 2) * 0.94, across = up * Math.max(aspect, 0.1);
+  const corners = [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].flatMap((y) => [-0.06 * Math.max(width, height), relief].map((z) => [x * width, y * height, z] as const)));
+  // Twice: where the land's middle stands in the picture depends on the distance.
+  for (let k = 0; k < 4; k++) {
+    const seen = corners.map((corner) => fromCamera(view, corner));
+    view.distance = Math.max(...seen.map(([x, y, z]) => Math.max(Math.abs(x) / across, Math.abs(y) / up) - z));
+    const heights = seen.map(([, y, z]) => y / (view.distance + z));
+    const middle = ((Math.max(...heights) + Math.min(...heights)) / 2) * view.distance;
+    view.target[2] += middle * Math.cos(view.pitch);
+    view.target[0] += middle * Math.sin(view.pitch) * Math.sin(view.heading);
+    view.target[1] += middle * Math.sin(view.pitch) * Math.cos(view.heading);
+  }
+  return view;
+}
+
+/** A place as seen: to the right, up, and beyond the target. */
+function fromCamera(view: Orbit, place: readonly [number, number, number]): [number, number, number] {
+  const [x, y, z] = [place[0] - view.target[0], place[1] - view.target[1], place[2] - view.target[2]];
+  const [sh, ch, sp, cp] = [Math.sin(view.heading), Math.cos(view.heading), Math.sin(view.pitch), Math.cos(view.pitch)];
+  const forward = x * sh + y * ch;
+  return [x * ch - y * sh, forward * sp + z * cp, forward * cp - z * sp];
 }
 
 /** Where the camera stands: east, north, up. */

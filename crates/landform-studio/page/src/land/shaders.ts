@@ -136,21 +136,24 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
   }
 
   vec3 natural(float height, float slope, float open, float spread) {
-    float part = height / max(uRelief, 1e-3);
+    float share = height / max(uRelief, 1e-3);
+    float part = share * smoothstep(10.0, 700.0, uRelief);   // low land is green all over
     float mottle = spread - 0.5;
-    vec3 rock = mix(vec3(0.235, 0.215, 0.195), vec3(0.36, 0.335, 0.305), spread);
-    vec3 scree = vec3(0.40, 0.365, 0.315) * (0.92 + 0.2 * mottle);
-    vec3 grass = mix(vec3(0.145, 0.165, 0.070), vec3(0.255, 0.250, 0.125), clamp(part * 1.5 + mottle * 0.7, 0.0, 1.0));
-    vec3 meadow = vec3(0.315, 0.290, 0.185);
-    vec3 low = mix(grass, meadow, smoothstep(0.30, 0.62, part + 0.22 * mottle));
-    float bare = smoothstep(0.42, 0.72, slope + 0.22 * mottle + 0.28 * smoothstep(0.55, 0.95, part));
-    vec3 c = mix(low, scree, smoothstep(0.26, 0.46, slope + 0.14 * mottle) * 0.75);
+    vec3 rock = mix(vec3(0.165, 0.145, 0.125), vec3(0.285, 0.255, 0.220), spread);
+    vec3 scree = vec3(0.300, 0.262, 0.212) * (0.9 + 0.25 * mottle);
+    vec3 wood = mix(vec3(0.058, 0.076, 0.030), vec3(0.080, 0.094, 0.038), spread);
+    vec3 grass = mix(vec3(0.098, 0.108, 0.045), vec3(0.150, 0.146, 0.072), spread);
+    vec3 heath = vec3(0.225, 0.195, 0.115);
+    vec3 low = mix(wood, grass, smoothstep(-0.20, 0.30, part + 0.32 * mottle - 0.3 * (1.0 - open) + 0.06));
+    low = mix(low, heath, smoothstep(0.26, 0.60, part + 0.30 * mottle));
+    float bare = smoothstep(0.48, 0.82, slope + 0.25 * mottle + 0.30 * smoothstep(0.5, 0.95, part));
+    vec3 c = mix(low, scree, smoothstep(0.34, 0.58, slope + 0.18 * mottle + 0.12 * part) * 0.8);
     c = mix(c, rock, bare);
-    float beach = 1.0 - smoothstep(0.006, 0.016, (height - uSeaHeight) / max(uRelief, 1e-3) + 0.006 * mottle);
-    c = mix(c, vec3(0.53, 0.47, 0.36), beach * (1.0 - smoothstep(0.2, 0.5, slope)));
-    float line = part + 0.16 * mottle + 0.10 * (open - 0.85) - 0.22 * smoothstep(0.75, 1.6, slope);
-    float snow = smoothstep(uSnow - 0.035, uSnow + 0.05, line) * (1.0 - 0.8 * smoothstep(1.05, 1.9, slope));
-    return mix(c, vec3(0.86, 0.89, 0.93), snow);
+    float beach = 1.0 - smoothstep(0.006, 0.018, (height - uSeaHeight) / max(uRelief, 30.0) + 0.008 * mottle);
+    c = mix(c, vec3(0.46, 0.40, 0.28), beach * (1.0 - smoothstep(0.2, 0.5, slope)));
+    float line = share + 0.13 * mottle + 0.10 * (open - 0.85) - 0.20 * smoothstep(0.75, 1.6, slope);
+    float snow = smoothstep(uSnow - 0.03, uSnow + 0.07, line) * (1.0 - 0.85 * smoothstep(0.95, 1.7, slope));
+    return mix(c, vec3(0.80, 0.83, 0.88), snow);
   }
 
   void main() {
@@ -189,17 +192,17 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
           spread = mix(spread, a, near * 0.6);
         }
       }
-      vec3 albedo = uLook == 1 ? pow(field.rgb, vec3(2.2)) * 0.8
-        : uLook == 2 ? vec3(0.50, 0.475, 0.44)
-        : uLook == 3 ? mix(vec3(0.60, 0.44, 0.26), vec3(0.68, 0.53, 0.34), spread) * (0.9 + 0.1 * normal.z)
+      vec3 albedo = uLook == 1 ? pow(field.rgb, vec3(2.2)) * 0.62
+        : uLook == 2 ? vec3(0.36, 0.335, 0.30)
+        : uLook == 3 ? mix(vec3(0.46, 0.30, 0.145), vec3(0.54, 0.37, 0.195), spread) * (0.9 + 0.1 * normal.z)
         : natural(g.r, slope, open, spread);
       if (uLook == 0) albedo = mix(albedo, vec3(0.070, 0.125, 0.150), field.a * 0.85);
       float sun = max(dot(normal, uSun), 0.0) * shadow;
       vec3 warm = mix(vec3(1.0, 0.70, 0.46), vec3(1.0, 0.955, 0.88), smoothstep(0.05, 0.6, uSun.z));
       float shut = mix(0.30, 1.0, smoothstep(0.35, 1.0, open)) * (0.55 + 0.45 * open);
-      vec3 sky = vec3(0.40, 0.52, 0.72) * (0.55 + 0.45 * normal.z) * shut;
-      vec3 bounce = vec3(0.20, 0.16, 0.12) * (1.0 - open);
-      lit = albedo * (warm * sun * 3.1 + sky * 0.72 + bounce);
+      vec3 sky = vec3(0.43, 0.52, 0.66) * (0.55 + 0.45 * normal.z) * shut;
+      vec3 bounce = vec3(0.24, 0.19, 0.14) * (1.0 - open) * (0.4 + sun);
+      lit = albedo * (warm * sun * 2.7 + sky * 0.62 + bounce);
       if (depth > 0.0 && uLook != 1) {
         float scale = max(uRelief * 0.02, 1e-2);
         float path = depth / scale;

@@ -35,11 +35,9 @@ export class LandView {
   onDrawn: (milliseconds: number) => void = () => {};
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    const context = canvas.getContext("webgl2", { antialias: true, powerPreference: "high-performance", preserveDrawingBuffer: false });
+    this.software = drawsInSoftware();
+    const context = canvas.getContext("webgl2", { antialias: !this.software, powerPreference: "high-performance", preserveDrawingBuffer: false });
     if (!context) throw new Error("This browser has no WebGL 2. The map still works.");
-    const info = context.getExtension("WEBGL_debug_renderer_info");
-    const name = String(info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
-    this.software = /swiftshader|llvmpipe|software/i.test(name);
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.autoClear = false;
     this.first = new Terrain(this.squares());
@@ -52,7 +50,7 @@ export class LandView {
   }
 
   private squares(): number {
-    return this.software ? 384 : 1024;
+    return this.software ? 192 : 1024;
   }
 
   resize(width: number, height: number): void {
@@ -88,8 +86,7 @@ export class LandView {
     const { renderer, camera, state, drawn } = this;
     const [width, height] = this.size;
     const ratio = (this.software ? 1 : Math.min(window.devicePixelRatio || 1, 2)) * this.scale;
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height, false);
+    this.setSize(Math.round(width * ratio), Math.round(height * ratio));
     this.orbit ??= this.home();
     const orbit = this.orbit;
     if (!state || !drawn || !orbit) {
@@ -123,14 +120,15 @@ export class LandView {
     renderer.clear();
     renderer.render(this.sky, this.flat);
     if (this.beside && this.second) {
-      const cut = Math.round(width * this.beside.split);
+      const [wide, high] = [this.canvas.width, this.canvas.height];
+      const cut = Math.round(wide * this.beside.split);
       renderer.setScissorTest(true);
       if (cut > 0) {
-        renderer.setScissor(0, 0, cut, height);
+        renderer.setScissor(0, 0, cut, high);
         renderer.render(this.first.scene, camera);
       }
-      if (cut < width) {
-        renderer.setScissor(cut, 0, width - cut, height);
+      if (cut < wide) {
+        renderer.setScissor(cut, 0, wide - cut, high);
         renderer.render(this.second.scene, camera);
       }
       renderer.setScissorTest(false);
@@ -138,6 +136,13 @@ export class LandView {
       renderer.render(this.first.scene, camera);
     }
     this.onDrawn(performance.now() - start);
+  }
+
+  /** Only when it changes: setting a canvas's size makes its memory anew. */
+  private setSize(width: number, height: number): void {
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    this.renderer.setPixelRatio(1);
+    this.renderer.setSize(width, height, false);
   }
 
   /** The ray under a place of the picture (parts of its width and height from the top left). */
@@ -167,4 +172,17 @@ function project(m: Matrix4, x: number, y: number, z: number): [number, number, 
     (e[1]! * x + e[5]! * y + e[9]! * z + e[13]!) / w,
     (e[2]! * x + e[6]! * y + e[10]! * z + e[14]!) / w,
   ];
+}
+
+let software: boolean | null = null;
+
+/** Whether the browser draws by the processor; asked once, of a canvas that is thrown away. */
+function drawsInSoftware(): boolean {
+  if (software !== null) return software;
+  const context = document.createElement("canvas").getContext("webgl2");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = String(context && info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  software = /swiftshader|llvmpipe|software|basic render/i.test(name);
+  return software;
 }

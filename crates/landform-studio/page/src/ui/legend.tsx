@@ -1,6 +1,6 @@
 // What the colours mean.
 import { useEffect, useRef } from "preact/hooks";
-import { numberText } from "../form/quantity.ts";
+import { areaText, numberText } from "../form/quantity.ts";
 import { landScale } from "../map/paint.ts";
 import { rampTable } from "../model/ramps.ts";
 import { colourField, fields, land, viewing } from "../model/store.ts";
@@ -28,12 +28,13 @@ export function Legend() {
   }, [ramp]);
   if (!scale) return null;
   const name = field ? colourField.value : "elevation";
-  const unit = UNITS[name] ?? fields.value.find((f) => f.name === name)?.unit ?? "";
+  const unit = UNITS[name] ?? fields.value.find((f) => f.name === name)?.unit.replace("m2", "m²") ?? "";
+  const end = (v: number, digits: number) => (unit === "m²" ? areaText(v) : numberText(v, digits));
   return (
     <div class="legend" data-testid="legend">
-      <span class="legend-name">{words(name)}{unit && unit !== "1" ? `, ${unit}` : ""}{scale.log ? " (logarithmic)" : ""}</span>
+      <span class="legend-name">{words(name)}{unit && unit !== "1" && unit !== "m²" ? `, ${unit}` : ""}{scale.log ? " (log)" : ""}</span>
       <canvas ref={bar} width={256} height={1} />
-      <span class="legend-ends"><span>{numberText(scale.low, 3)}</span><span>{numberText(scale.high, 4)}</span></span>
+      <span class="legend-ends"><span>{end(scale.low, 3)}</span><span>{end(scale.high, 4)}</span></span>
     </div>
   );
 }
