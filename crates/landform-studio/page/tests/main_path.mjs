@@ -9,7 +9,7 @@ import { chromium } from "playwright-core";
 import { serve } from "./mock.mjs";
 
 const shots = process.env.SHOTS ?? "build/shots";
-const recipe = process.env.RECIPE ?? "01_first_mountains";
+const recipe = process.env.RECIPE ?? "first_mountains";
 const only = process.env.ONLY?.split(",");
 await mkdir(shots, { recursive: true });
 const mock = process.argv[2] ? null : await serve();

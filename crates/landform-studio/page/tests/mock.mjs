@@ -42,7 +42,7 @@ const land = process.env.LAND ? await readNpy(process.env.LAND) : null;
 class Studio {
   constructor(say, send) {
     Object.assign(this, { say, send, revision: 0, frame: 0, seed: 7, title: null, stages: [], undone: [], done: [], unacknowledged: 0, timer: null });
-    this.run = { running: false, paused: false, settling: false, level: null, stage: null, of: null, name: null, steps: null, time: null, part: null, residual: null, memory_bytes: 61_000_000, seconds: null, seconds_left: null, building: false };
+    this.run = { running: false, paused: false, settling: false, level: null, stage: null, of: null, name: null, steps: null, time: null, part: null, residual: null, memory_bytes: 61_000_000, seconds: null, seconds_left: null, building: null };
   }
 
   snapshot() {
@@ -170,7 +170,7 @@ class Studio {
       histogram: { edges: Array.from({ length: 41 }, (_, i) => (max * i) / 40), counts },
       hypsometry: Array.from({ length: 51 }, (_, i) => [i / 50, sorted[Math.round((sorted.length - 1) * (1 - i / 50))]]),
       slope_area: Array.from({ length: 24 }, (_, i) => [10 ** (4 + i / 6), 3 * 10 ** (-0.45 * (4 + i / 6) + 1.4)]),
-      card: [{ name: "hack_exponent", value: 0.56, low: 0.49, high: 0.6, unit: "1", verdict: "in range" }, { name: "drainage_density", value: 2.9, low: 0.5, high: 2.5, unit: "1/km", verdict: "above" }],
+      card: [{ name: "hack_exponent", value: 0.56, low: 0.49, high: 0.6, unit: "1", verdict: "inside" }, { name: "drainage_density", value: 2.9, low: 0.5, high: 2.5, unit: "1/km", verdict: "outside" }],
     });
   }
 
@@ -206,7 +206,7 @@ class Studio {
       case "text": this.typed = m.text; this.tellRecipe(!/\[\[stag\]\]/.test(m.text) ? [] : [{ line: 1, column: 1, what: "the key `stag` is not known", hint: "Did you mean `stage`?", stage: null }]); return;
       case "paint": return this.paint(m);
       case "contact": return m.seeds.forEach((seed, i) => setTimeout(() => this.say({ tell: "contact", seed, png: thumbnail(seed) }), 120 * (i + 1)));
-      case "build": this.tellRun({ building: true }); setTimeout(() => { this.tellRun({ building: false }); this.say({ tell: "built", files: [{ path: "land.png", bytes: 2_100_000 }], seconds: 3.2 }); }, 800); return;
+      case "build": this.tellRun({ building: { what: "build", stage: 1, of: 3, name: "evolve", part: 0.4, seconds: 1, waiting: 0 } }); setTimeout(() => { this.tellRun({ building: null }); this.say({ tell: "built", files: [{ path: "land.png", bytes: 2_100_000 }], seconds: 3.2 }); }, 800); return;
       case "export": this.say({ tell: "built", files: [{ path: m.parameters.path ?? "file", bytes: 1_400_000 }], seconds: 1 }); return;
       case "show": case "save": case "command": case "cancel_build": return;
       default: return { what: `\`${m.do}\` is not known` };

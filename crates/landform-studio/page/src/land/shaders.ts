@@ -117,6 +117,17 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
   in vec3 vPlace;
   out vec4 colour;
 
+  // Light and shadow between nodes by cubic B-splines: four linear samples, no diamonds near the eye.
+  vec4 smoothShade(vec2 at) {
+    vec2 p = at * uNodes - 0.5, f = fract(p), base = floor(p);
+    vec2 f2 = f * f, f3 = f2 * f;
+    vec2 w0 = (1.0 - 3.0 * f + 3.0 * f2 - f3) / 6.0, w1 = (4.0 - 6.0 * f2 + 3.0 * f3) / 6.0, w3 = f3 / 6.0;
+    vec2 w2 = 1.0 - w0 - w1 - w3, a = w0 + w1, b = w2 + w3;
+    vec2 low = (base - 0.5 + w1 / a) / uNodes, high = (base + 1.5 + w3 / b) / uNodes;
+    return (texture(tShade, low) * a.x + texture(tShade, vec2(high.x, low.y)) * b.x) * a.y
+      + (texture(tShade, vec2(low.x, high.y)) * a.x + texture(tShade, high) * b.x) * b.y;
+  }
+
   float hash(vec2 p) {
     vec3 q = fract(vec3(p.xyx) * 0.1031);
     q += dot(q, q.yzx + 33.33);
@@ -175,7 +186,7 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
       lit = earth * (0.35 + 1.1 * sun) * mix(1.0, 0.35, smoothstep(0.0, 1.2, under));
       if (under < 0.0) lit = mix(vec3(0.020, 0.075, 0.105), vec3(0.05, 0.17, 0.20), exp(under * 6.0) * 0.6) * (0.6 + 0.6 * sun);
     } else {
-      vec4 s = texture(tShade, texel(vPart));
+      vec4 s = uDetail > 0.5 ? smoothShade(texel(vPart)) : texture(tShade, texel(vPart));
       vec2 flat_ = s.rg * 2.0 - 1.0;
       vec3 normal = vec3(flat_, sqrt(max(1.0 - dot(flat_, flat_), 0.02)));
       float slope = length(flat_) / normal.z / uTall;

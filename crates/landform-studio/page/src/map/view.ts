@@ -155,7 +155,7 @@ export class MapView {
     const { context } = this;
     const scale = this.scale(state);
     const length = contourInterval(150 / scale, 1.2);
-    const [x, y] = [18, this.size[1] - 18];
+    const [x, y] = [66, this.size[1] - 58];
     const text = length >= 1000 ? `${length / 1000} km` : `${length} m`;
     context.lineWidth = 3;
     context.strokeStyle = "rgba(10,12,14,.75)";

@@ -64,8 +64,13 @@ function hear(told: Told): void {
       case "latency": store.latency.value = { server: told.sent - told.received, whole: store.latency.value?.whole ?? NaN }; break;
       case "built":
         store.built.value = told;
+        store.failed.value = null;
         store.note("note", `Built ${told.files.length} files in ${told.seconds.toFixed(1)} s.`);
         store.say("The build is done.");
+        break;
+      case "failed":
+        store.failed.value = told.hint ? `${told.error}. ${told.hint}` : told.error;
+        store.say(`The ${told.what} failed: ${told.error}`);
         break;
       case "contact":
         store.contact.value = store.contact.value.map((c) => (c.seed === told.seed ? { ...c, picture: told.png } : c));
@@ -98,8 +103,7 @@ function hearRecipe(told: Extract<Told, { tell: "recipe" }>): void {
 function hearState(told: Extract<Told, { tell: "state" }>): void {
   const before = store.run.value;
   store.run.value = told;
-  const error = (told as { error?: string | null }).error;
-  if (error && error !== (before as { error?: string | null } | null)?.error) store.note("error", error);
+  if (told.error && told.error !== before?.error) store.note("error", told.error);
   if (before?.running !== told.running || before.paused !== told.paused || before.level !== told.level) {
     store.say(told.running ? (told.paused ? "Paused." : `Running, level ${told.level ?? ""}.`) : "Ready.");
   }

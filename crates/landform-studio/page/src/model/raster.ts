@@ -6,6 +6,7 @@ export interface Raster {
   rows: number;
   cols: number;
   cell: [number, number];
+  /** The south-west node. */
   origin: [number, number];
   /** Row 0 is the north; NaN where there is no data. */
   z: Float32Array;

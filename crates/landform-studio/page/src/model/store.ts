@@ -34,6 +34,8 @@ export const stages = signal<StageInfo[]>([]);
 export const forms = signal<Forms>(new Forms({} as Schema));
 export const gallery = signal<GalleryEntry[]>([]);
 export const built = signal<{ files: BuiltFile[]; seconds: number } | null>(null);
+/** What a build, an export or a picture of a seed failed with. */
+export const failed = signal<string | null>(null);
 export const contact = signal<{ seed: number; picture: string | null }[]>([]);
 export const log = signal<LogLine[]>([]);
 export const said = signal("");

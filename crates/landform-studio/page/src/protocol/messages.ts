@@ -61,7 +61,20 @@ export interface RunState {
   memory_bytes: number | null;
   seconds: number | null;
   seconds_left: number | null;
-  building: boolean;
+  building: Background | null | false;
+  /** What the last run failed with. */
+  error?: string | null;
+}
+
+/** Work beside the preview. */
+export interface Background {
+  what: "build" | "export" | "contact";
+  stage: number | null;
+  of: number | null;
+  name: string | null;
+  part: number | null;
+  seconds: number | null;
+  waiting: number | null;
 }
 
 export interface CardRow {
@@ -71,6 +84,9 @@ export interface CardRow {
   high: number | null;
   unit: string | null;
   verdict: string | null;
+  meaning?: string | null;
+  source?: string | null;
+  decides?: boolean;
 }
 
 export interface Charts {
@@ -81,6 +97,7 @@ export interface Charts {
   hypsometry: [number, number][] | null;
   slope_area: [number, number][] | null;
   card: CardRow[] | null;
+  verdict?: { title: string; reason: string } | null;
 }
 
 export interface Welcome {
@@ -104,6 +121,7 @@ export type Told =
   | { tell: "fields"; names: { name: string; unit: string }[] }
   | { tell: "log"; kind: "note" | "error" | "latency"; text: string }
   | { tell: "latency"; stamp: number; received: number; computed: number; sent: number }
+  | { tell: "failed"; what: string; error: string; hint?: string | null }
   | { tell: "built"; files: BuiltFile[]; seconds: number }
   | { tell: "contact"; seed: number; png: string }
   | { tell: "done"; request: number; text?: string }

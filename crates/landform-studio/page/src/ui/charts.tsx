@@ -19,7 +19,7 @@ export function Measures() {
       {c.slope_area && c.slope_area.length > 1 && (
         <Plot title="Slope and area" help="Rivers fall less the more land they drain" points={c.slope_area} x="drainage area, m²" y="slope" log />
       )}
-      {c.card && c.card.length > 0 && <Card rows={c.card} />}
+      {c.card && c.card.length > 0 && <Card rows={c.card} verdict={c.verdict} />}
     </div>
   );
 }
@@ -88,18 +88,20 @@ function Plot({ title, help, points, x, y, line, log }: { title: string; help: s
   );
 }
 
-function Card({ rows }: { rows: CardRow[] }) {
+function Card({ rows, verdict }: { rows: CardRow[]; verdict: Charts["verdict"] }) {
   return (
     <section class="card">
       <h3>Report card</h3>
+      {verdict && <p><b>{verdict.title}</b></p>}
+      {verdict && <p class="dim lead">{verdict.reason}</p>}
       <p class="dim lead">Each number beside its range on real ground.</p>
       <ul>
         {rows.map((row) => (
-          <li key={row.name}>
+          <li key={row.name} title={row.meaning ?? undefined}>
             <span>{words(row.name)}</span>
             <b>{row.value === null ? "–" : numberText(row.value, 3)}{row.unit && row.unit !== "1" ? ` ${row.unit}` : ""}</b>
             <small class="dim">{row.low !== null && row.high !== null ? `${numberText(row.low, 3)} to ${numberText(row.high, 3)}` : ""}</small>
-            <small class={`verdict ${/in|ok|natural|yes/i.test(row.verdict ?? "") && !/not|out/i.test(row.verdict ?? "") ? "good" : ""}`}>{row.verdict ?? ""}</small>
+            <small class={`verdict ${row.verdict === "inside" ? "good" : ""}`}>{row.verdict === "none" ? "" : row.verdict}</small>
           </li>
         ))}
       </ul>

@@ -4,7 +4,7 @@ import { askContact, setSeed } from "../model/actions.ts";
 import { contact, dialog, recipe, say } from "../model/store.ts";
 import { Button, Modal } from "./parts.tsx";
 
-const COUNT = 9;
+const COUNT = 10;
 
 export function Contact() {
   useEffect(() => {

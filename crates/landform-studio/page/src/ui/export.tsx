@@ -2,9 +2,10 @@
 import { useSignal } from "@preact/signals";
 import { bytesText } from "../form/quantity.ts";
 import { ask } from "../model/actions.ts";
-import { built, dialog, run, welcome } from "../model/store.ts";
+import { built, dialog, failed, run, welcome } from "../model/store.ts";
 import type { Table } from "../protocol/messages.ts";
 import { Modal } from "./parts.tsx";
+import { words } from "./words.ts";
 
 interface Form {
   name: string;
@@ -27,14 +28,14 @@ const FORMS: Form[] = [
 
 export function Export() {
   const busy = useSignal<string | null>(null);
-  const trouble = useSignal<string | null>(null);
+  const work = run.value?.building || null;
   const files = built.value?.files ?? [];
   const write = async (form: Form) => {
     busy.value = form.name;
-    trouble.value = null;
+    failed.value = null;
     const answer = await ask({ do: "export", use: form.use, parameters: form.parameters });
     busy.value = null;
-    if (!answer.ok) trouble.value = answer.hint ? `${answer.what}. ${answer.hint}` : answer.what;
+    if (!answer.ok) failed.value = answer.hint ? `${answer.what}. ${answer.hint}` : answer.what;
   };
   return (
     <Modal title="Export" wide test="export" onClose={() => (dialog.value = null)}>
@@ -42,15 +43,15 @@ export function Export() {
       <ul class="forms">
         {FORMS.map((f) => (
           <li key={f.name}>
-            <button type="button" class="form-card" disabled={busy.value !== null} data-testid={`export-${f.name.split(" ")[0]!.toLowerCase()}`} onClick={() => void write(f)}>
+            <button type="button" class="form-card" disabled={busy.value !== null || work?.what === "export"} data-testid={`export-${f.name.split(" ")[0]!.toLowerCase()}`} onClick={() => void write(f)}>
               <b>{f.name}</b>
               <small>{busy.value === f.name ? "writing…" : f.help}</small>
             </button>
           </li>
         ))}
       </ul>
-      {trouble.value && <p class="fault" role="alert">{trouble.value}</p>}
-      {run.value?.building && <p role="status">Building at full size{run.value.part ? `: ${Math.round(run.value.part * 100)} %` : "…"}</p>}
+      {failed.value && <p class="fault" role="alert">{failed.value}</p>}
+      {work && <p class="busy" role="status">{work.name ? words(work.name) : "Building"} at full size{work.part ? `: ${Math.round(work.part * 100)} %` : "…"}</p>}
       {files.length > 0 && (
         <section class="files">
           <h3>Written</h3>

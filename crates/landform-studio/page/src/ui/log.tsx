@@ -1,4 +1,5 @@
 // One line that says how things are, and the lines before it.
+import { useEffect, useRef } from "preact/hooks";
 import { bytesText } from "../form/quantity.ts";
 import { connected, latency, log, logOpen, run, welcome } from "../model/store.ts";
 import { Button } from "./parts.tsx";
@@ -7,10 +8,12 @@ export function LogPanel() {
   const last = log.value.findLast((l) => l.kind !== "latency");
   const state = run.value;
   const lag = latency.value;
+  const lines = useRef<HTMLDivElement>(null);
+  useEffect(() => lines.current?.scrollTo(0, lines.current.scrollHeight), [log.value, logOpen.value]);
   return (
     <footer class="log" data-testid="log">
       {logOpen.value && (
-        <div class="log-lines" role="log" aria-live="off" aria-label="Log" tabIndex={0}>
+        <div ref={lines} class="log-lines" role="log" aria-live="off" aria-label="Log" tabIndex={0}>
           {log.value.slice(-200).map((l, i) => (
             <p key={i} class={l.kind}>
               <time>{new Date(l.at).toLocaleTimeString()}</time> {l.text}

@@ -3,6 +3,7 @@ import { timeText } from "../form/quantity.ts";
 import { ask } from "../model/actions.ts";
 import { ground, past, pastAt, run } from "../model/store.ts";
 import { Button } from "./parts.tsx";
+import { words } from "./words.ts";
 
 const YEAR = 31_557_600;
 
@@ -13,6 +14,7 @@ export function TimeBar() {
   const at = pastAt.value ?? frames - 1;
   const time = pastAt.value === null ? s?.time ?? null : null;
   const years = pastAt.value !== null ? ground.value?.time ?? 0 : time !== null ? time / YEAR : ground.value?.time ?? 0;
+  const part = (s?.running ? s.part : s?.building ? s.building.part : s?.part) ?? 0;
   return (
     <section class="time" aria-label="Time" data-testid="time">
       <div class="time-buttons">
@@ -27,8 +29,8 @@ export function TimeBar() {
           aria-valuetext={timeText(years)} style={{ "--part": String(frames > 1 ? at / (frames - 1) : 0) }} data-testid="scrub"
           onInput={(e) => scrub(Number(e.currentTarget.value))}
         />
-        <div class="progress" role="progressbar" aria-label="Progress" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round((s?.part ?? 0) * 100)}>
-          <i style={{ width: `${Math.min(100, (s?.part ?? 0) * 100)}%` }} class={s?.running || s?.building ? "on" : ""} />
+        <div class="progress" role="progressbar" aria-label="Progress" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(part * 100)}>
+          <i style={{ width: `${Math.min(100, part * 100)}%` }} class={s?.running || s?.building ? "on" : ""} />
         </div>
       </div>
       <div class="time-facts">
@@ -43,8 +45,11 @@ function runText(): string {
   const s = run.value;
   if (!s) return "";
   const parts: string[] = [];
-  if (s.building) parts.push("building");
-  if (s.running && s.name) parts.push(`${s.name}${s.of ? ` (${(s.stage ?? 0) + 1} of ${s.of})` : ""}`);
+  if (s.building) {
+    const { what, name, part } = s.building;
+    parts.push(`${what}${name ? `: ${name.replaceAll("_", " ")}` : ""}${part !== null && part !== undefined ? ` ${Math.round(part * 100)} %` : ""}`);
+  }
+  if (s.running && s.name) parts.push(`${words(s.name)}${s.of ? ` (${(s.stage ?? 0) + 1} of ${s.of})` : ""}`);
   if (s.running && s.steps) parts.push(`step ${s.steps}`);
   if (s.paused) parts.push("paused");
   if (s.seconds_left !== null && s.running) parts.push(`${Math.max(1, Math.round(s.seconds_left))} s left`);

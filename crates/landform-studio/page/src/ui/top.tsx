@@ -7,7 +7,7 @@ import { Button } from "./parts.tsx";
 export function TopBar() {
   const r = recipe.value;
   const open = hasRecipe.value;
-  const building = run.value?.building ?? false;
+  const building = run.value?.building ? run.value.building.what === "build" : false;
   return (
     <header class="top">
       <div class="brand"><Icon name="build" /><span>landform</span></div>

@@ -102,7 +102,7 @@ function Wipe() {
         const by = { ArrowLeft: -0.02, ArrowRight: 0.02, Home: -1, End: 1 }[e.key];
         if (by !== undefined) { e.preventDefault(); split.value = Math.min(1, Math.max(0, split.value + by)); }
       }}
-    ><i /></div>
+    ><i /><b class="chip at-left">A</b><b class="chip at-right">B</b></div>
   );
 }
 
