@@ -177,7 +177,7 @@ class Studio {
   ask(m) {
     switch (m.do) {
       case "hello":
-        this.say({ tell: "welcome", protocol: 1, version: "mock", session: "mock", root: "/mock", output: "/mock/out" });
+        this.say({ tell: "welcome", protocol: 1, version: "mock", session: "mock", root: "/mock", output: "/mock/out", can: ["paint"] });
         this.say({ tell: "fields", names: [{ name: "elevation", unit: "m" }, { name: "drainage_area", unit: "m2" }, { name: "lake_depth", unit: "m" }] });
         this.tellRecipe();
         this.tellRun({});

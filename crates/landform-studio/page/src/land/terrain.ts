@@ -25,6 +25,10 @@ export interface Drawn {
   brush: [number, number, number];
 }
 
+/** 0: while something moves and the processor draws; 1: at rest; 2: with a graphics card. */
+export type Effort = 0 | 1 | 2;
+/** Directions in which the sky is looked for, and steps towards the sun. */
+const EFFORTS: { [effort in Effort]: [number, number] } = { 0: [6, 18], 1: [14, 48], 2: [20, 80] };
 const LOOKS: { [look in Look]: number } = { natural: 0, field: 1, clay: 2, sand: 3 };
 
 export class Terrain {
@@ -122,7 +126,7 @@ export class Terrain {
   }
 
   /** Sets all that a picture needs and draws light and shadow, if they have changed. */
-  prepare(renderer: WebGLRenderer, drawn: Drawn, eye: [number, number, number], viewProjection: Matrix4, quick: boolean): void {
+  prepare(renderer: WebGLRenderer, drawn: Drawn, eye: [number, number, number], viewProjection: Matrix4, effort: Effort): void {
     const u = this.uniforms;
     const { azimuth, height } = drawn.light;
     u.uSun.value.set(Math.sin(azimuth) * Math.cos(height), Math.cos(azimuth) * Math.cos(height), Math.sin(height));
@@ -136,11 +140,11 @@ export class Terrain {
     u.uDetail.value = drawn.detail ? 1 : 0;
     u.uBrush.value.set(...drawn.brush);
     u.uFoot.value = -0.05 * Math.max(u.uSize.value.x, u.uSize.value.y);
-    u.uDirections.value = quick ? 8 : 20;
-    u.uRays.value = quick ? 24 : 80;
+    [u.uDirections.value, u.uRays.value] = EFFORTS[effort]!;
     const key = `${this.version} ${azimuth} ${height} ${drawn.tall}`;
-    if (this.shadedFor === `${key} fine` || this.shadedFor === `${key} ${quick ? "quick" : "fine"}`) return;
-    this.shadedFor = `${key} ${quick ? "quick" : "fine"}`;
+    // Better light than asked for stays.
+    if (this.shadedFor.startsWith(`${key} `) && Number(this.shadedFor.split(" ").at(-1)) >= effort) return;
+    this.shadedFor = `${key} ${effort}`;
     renderer.setRenderTarget(this.shade);
     renderer.render(this.passScene, this.passCamera);
     renderer.setRenderTarget(null);

@@ -36,7 +36,7 @@ export class LandView {
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.software = drawsInSoftware();
-    const context = canvas.getContext("webgl2", { antialias: !this.software, powerPreference: "high-performance", preserveDrawingBuffer: false });
+    const context = canvas.getContext("webgl2", { alpha: false, stencil: false, antialias: !this.software, powerPreference: "high-performance", preserveDrawingBuffer: false });
     if (!context) throw new Error("This browser has no WebGL 2. The map still works.");
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.autoClear = false;
@@ -68,7 +68,7 @@ export class LandView {
   /** Asks for a picture; many calls before the next one make one picture. `quick`: something moves. */
   redraw(quick = false): void {
     window.clearTimeout(this.settle);
-    if (quick) this.settle = window.setTimeout(() => this.redraw(), 180);
+    if (quick) this.settle = window.setTimeout(() => this.redraw(), this.software ? 700 : 180);
     const scale = quick && this.software ? 0.5 : 1;
     if (this.pending) {
       this.scale = Math.min(this.scale, scale);
@@ -109,12 +109,13 @@ export class LandView {
     this.horizon.value = 0.5 + Math.tan(orbit.pitch) / (2 * Math.tan(FIELD_OF_VIEW / 2));
     const viewProjection = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 
+    const effort = this.software ? (quick ? 0 : 1) : 2;
     this.first.show(state);
-    this.first.prepare(renderer, drawn, at, viewProjection, quick && this.software);
+    this.first.prepare(renderer, drawn, at, viewProjection, effort);
     if (this.beside) {
       this.second ??= new Terrain(this.squares());
       this.second.show(this.beside.state);
-      this.second.prepare(renderer, drawn, at, viewProjection, quick && this.software);
+      this.second.prepare(renderer, drawn, at, viewProjection, effort);
     }
     renderer.setScissorTest(false);
     renderer.clear();

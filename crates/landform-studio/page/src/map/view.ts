@@ -31,7 +31,7 @@ export class MapView {
   onDrawn: (milliseconds: number) => void = () => {};
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.context = canvas.getContext("2d")!;
+    this.context = canvas.getContext("2d", { alpha: false })!;
   }
 
   resize(width: number, height: number): void {
@@ -72,7 +72,8 @@ export class MapView {
     if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
     if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
+    context.fillStyle = "#0b0d10";
+    context.fillRect(0, 0, width, height);
     if (!state) return;
     this.forget();
     if (this.beside) {

@@ -80,7 +80,9 @@ function hear(told: Told): void {
 }
 
 function hearRecipe(told: Extract<Told, { tell: "recipe" }>): void {
-  const opened = store.recipe.value?.title !== told.title || store.recipe.value?.path !== told.path;
+  const before = store.recipe.value;
+  const opened = opening || before === null || before.path !== told.path || (before.stages.length === 0) !== (told.stages.length === 0);
+  opening = false;
   store.recipe.value = told;
   const chosen = store.selected.value;
   const stage = chosen ? told.stages[chosen.stage] : undefined;
@@ -95,7 +97,8 @@ function hearRecipe(told: Extract<Told, { tell: "recipe" }>): void {
     store.pastAt.value = null;
     store.keptA.value = store.keptB.value = null;
     store.comparing.value = null;
-    if (told.stages.length === 0) store.layers.value = new Map();
+    if (before !== null) store.layers.value = new Map();
+    store.homeAsked.value++;
   }
   if (told.errors.length) store.say(`The recipe has ${told.errors.length} mistakes: ${told.errors[0]!.what}`);
 }
@@ -175,9 +178,14 @@ export function setValue(place: Place, value: Value, dragging: boolean): void {
   dragged.push({ do: "set", ...place, value, dragging, stamp: performance.now() });
 }
 
+/** Whether the next recipe that is told is another one, not a change. */
+let opening = false;
+
 export function openGallery(name: string): void {
   store.dialog.value = null;
+  opening = true;
   void ask({ do: "open", gallery: name }).then((answer) => {
+    opening = false;
     if (answer.ok) void ask({ do: "run", level: "auto" });
   });
 }

@@ -57,6 +57,9 @@ export const tall = signal(1);
 export const sunAzimuth = signal(292);
 export const sunHeight = signal(30);
 
+/** Grows by one when the whole land shall be shown. */
+export const homeAsked = signal(0);
+
 export const painting = signal<Tool | null>(null);
 export const brushRadius = signal(0.06);
 export const brushStrength = signal(0.3);

@@ -106,6 +106,8 @@ export interface Welcome {
   session: string;
   root: string;
   output: string;
+  /** What else the server understands: "paint", "stroke". */
+  can?: string[];
 }
 
 export interface BuiltFile {

@@ -1,8 +1,4 @@
-// Sizes of elements, and the wish to see the whole land.
-import { signal } from "@preact/signals";
-
-/** Grows by one when the whole land shall be shown. */
-export const homeAsked = signal(0);
+// Sizes of elements.
 
 /** Calls with the element's size, now and when it changes. */
 export function follow(element: HTMLElement, resized: (width: number, height: number) => void): () => void {

@@ -8,9 +8,9 @@ import { contourInterval } from "../map/contours.ts";
 import { endStroke, radius, strokePoint } from "../model/brush.ts";
 import { drawnNow } from "../model/actions.ts";
 import { extent } from "../model/raster.ts";
-import { brushAt, contours, ground, land, note, painting, run, shownLook, snowLine, sunAzimuth, sunHeight, tall, viewing } from "../model/store.ts";
+import { brushAt, contours, ground, homeAsked, land, note, painting, shownLook, snowLine, sunAzimuth, sunHeight, tall, viewing } from "../model/store.ts";
 import { drawnStates } from "./compared.ts";
-import { follow, homeAsked } from "./follow.ts";
+import { follow } from "./follow.ts";
 import { brushKey } from "./tools.tsx";
 import { hover } from "./readout.tsx";
 
@@ -65,7 +65,7 @@ function label(): string {
   return `The land in three dimensions, level ${g.level}, from ${Math.round(g.min)} to ${Math.round(g.max)} metres. Arrows turn, plus and minus zoom, Home shows all.`;
 }
 
-let lastGround: unknown = null;
+let lastShown = 0;
 
 function show(view: LandView): void {
   const { state, beside } = drawnStates.value;
@@ -83,9 +83,10 @@ function show(view: LandView): void {
     contour: contours.value && state ? contourInterval(state.ground.max - state.ground.min, 24) : 0, haze: 0.045 / size, detail: !view.software,
     brush: brushAt.value && painting.value ? [...brushAt.value, painting.value === "probe" ? size * 0.008 : radius()] : [0, 0, 0],
   };
-  const moving = state?.ground !== lastGround && run.value?.running === true;
-  lastGround = state?.ground;
-  view.redraw(moving);
+  // What changes again and again is moving; the last change is drawn well.
+  const now = performance.now();
+  view.redraw(now - lastShown < 700);
+  lastShown = now;
 }
 
 function listen(view: LandView, element: HTMLCanvasElement): () => void {

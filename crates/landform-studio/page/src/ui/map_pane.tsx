@@ -5,9 +5,9 @@ import { MapView } from "../map/view.ts";
 import { drawnNow } from "../model/actions.ts";
 import { endStroke, radius, strokePoint } from "../model/brush.ts";
 import { extent } from "../model/raster.ts";
-import { brushAt, ground, mapContours, painting, viewing } from "../model/store.ts";
+import { brushAt, ground, homeAsked, mapContours, painting, viewing } from "../model/store.ts";
 import { drawnStates } from "./compared.ts";
-import { follow, homeAsked } from "./follow.ts";
+import { follow } from "./follow.ts";
 import { hover } from "./readout.tsx";
 import { brushKey } from "./tools.tsx";
 

@@ -12,7 +12,7 @@ export function Readout() {
   const at = hover.value ?? (painting.value ? brushAt.value : null);
   const g = ground.value;
   if (!g) return null;
-  return <output class="readout" data-testid="readout">{at ? facts(at) : <span class="dim">Point at the land to read it</span>}</output>;
+  return <output class="readout" data-testid="readout">{at ? facts(at) : <span class="dim">Drag to turn · Shift-drag to move · Wheel to come nearer · Point to read</span>}</output>;
 }
 
 function facts([east, north]: [number, number]) {

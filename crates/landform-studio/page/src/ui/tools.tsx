@@ -3,8 +3,7 @@ import { signal } from "@preact/signals";
 import { lengthText } from "../form/quantity.ts";
 import { endStroke, radius, strength, strokePoint } from "../model/brush.ts";
 import { extent } from "../model/raster.ts";
-import { brushAt, brushRadius, brushStrength, contours, ground, mapContours, painting, sunAzimuth, sunHeight, tall, viewing, type Tool } from "../model/store.ts";
-import { homeAsked } from "./follow.ts";
+import { brushAt, brushRadius, brushStrength, contours, ground, homeAsked, mapContours, painting, sunAzimuth, sunHeight, tall, viewing, welcome, type Tool } from "../model/store.ts";
 import { Button, ViewSlider } from "./parts.tsx";
 
 const TOOLS: { tool: Tool; label: string; key: string }[] = [
@@ -15,6 +14,11 @@ const TOOLS: { tool: Tool; label: string; key: string }[] = [
   { tool: "level", label: "Level the ground", key: "t" },
 ];
 
+/** Tools of which the server knows what to do. */
+function offered(): typeof TOOLS {
+  return welcome.value?.can?.includes("paint") ? TOOLS : TOOLS.filter((t) => t.tool === "probe");
+}
+
 const lightOpen = signal(false);
 
 export function Tools() {
@@ -24,7 +28,7 @@ export function Tools() {
       <Button icon="home" label="The whole land (Home)" kind="quiet" onClick={() => homeAsked.value++} />
       <Button icon="sun" label="Light and height" kind="quiet" test="light" pressed={lightOpen.value} onClick={() => (lightOpen.value = !lightOpen.value)} />
       <hr />
-      {TOOLS.map((t) => (
+      {offered().map((t) => (
         <Button key={t.tool} icon={t.tool} label={`${t.label} (${t.key.toUpperCase()})`} kind="quiet" test={`tool-${t.tool}`} pressed={tool === t.tool} onClick={() => choose(tool === t.tool ? null : t.tool)} />
       ))}
       {(lightOpen.value || (tool && tool !== "probe")) && (
@@ -62,7 +66,7 @@ function choose(tool: Tool | null): void {
 /** Keys of the brush on a view; true where the key was one. */
 export function brushKey(e: KeyboardEvent): boolean {
   if (e.ctrlKey || e.metaKey || e.altKey) return false;
-  const chosen = TOOLS.find((t) => t.key === e.key.toLowerCase());
+  const chosen = offered().find((t) => t.key === e.key.toLowerCase());
   if (chosen) {
     choose(painting.value === chosen.tool ? null : chosen.tool);
     return true;
