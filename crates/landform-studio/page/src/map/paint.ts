@@ -60,5 +60,5 @@ function shade(x: number, y: number): number {
   const long = Math.sqrt(x * x + y * y + 1);
   let sum = 0;
   for (const [sx, sy, sz, weight] of SUNS) sum += (weight * Math.max(0, -x * sx - y * sy + sz)) / long;
-  return 0.26 + 1.2 * sum;
+  return 0.40 + 0.97 * sum;
 }

@@ -3,7 +3,7 @@
 export type Rgb = [number, number, number];
 
 const STOPS: { [name: string]: string[] } = {
-  height: ["#21423a", "#3f604a", "#6e7f56", "#a39565", "#cdb68c", "#ead9c2", "#fcf7f0"],
+  height: ["#3c6152", "#5b7a59", "#82915f", "#b0a16d", "#d2bb90", "#ebdac3", "#fcf7f0"],
   cividis: ["#00224e", "#1f3d6d", "#4d566d", "#73736e", "#9b9274", "#c9b66b", "#fee838"],
   viridis: ["#440154", "#443a83", "#31688e", "#21908d", "#35b779", "#8fd744", "#fde725"],
   depth: ["#e6eef2", "#9fc4dc", "#5b95c2", "#2d679f", "#173f76", "#0a1f47"],

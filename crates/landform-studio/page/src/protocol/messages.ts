@@ -146,8 +146,9 @@ export type Asked =
   | { do: "remove"; stage: number; process: number | null }
   | { do: "move"; stage: number; to: number }
   | { do: "toggle"; stage: number }
-  | { do: "undo" | "redo" | "pause" | "play" | "step" | "stop" | "build" | "cancel_build" | "command" }
+  | { do: "undo" | "redo" | "pause" | "step" | "stop" | "build" | "cancel_build" | "command" }
   | { do: "run"; level: string }
+  | { do: "play"; pace: number }
   | { do: "show"; fields: string[]; stage: number | null }
   | { do: "ack"; frame: number }
   | { do: "paint"; field: string; tool: string; radius: number; strength: number; points: number[][] }

@@ -29,6 +29,7 @@ export function Keys() {
       <dl class="keys">
         {ROWS.map(([keys, what]) => <div key={keys}><dt>{keys}</dt><dd>{what}</dd></div>)}
       </dl>
+      <p class="lead"><a href="/LICENSES.txt" target="_blank" rel="noopener">Licences of the page's libraries</a></p>
     </Modal>
   );
 }

@@ -6,6 +6,8 @@ import { Button } from "./parts.tsx";
 import { words } from "./words.ts";
 
 const YEAR = 31_557_600;
+/** Least time from step to step while one watches, ms: quick processes are over before one sees them. */
+const PACE = 40;
 
 export function TimeBar() {
   const s = run.value;
@@ -64,5 +66,5 @@ function scrub(to: number): void {
 export function playOrPause(): void {
   const s = run.value;
   pastAt.value = null;
-  void ask({ do: s?.running && !s.paused ? "pause" : "play" });
+  void ask(s?.running && !s.paused ? { do: "pause" } : { do: "play", pace: PACE });
 }

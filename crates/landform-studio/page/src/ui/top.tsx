@@ -14,10 +14,10 @@ export function TopBar() {
       <Button icon="folder" label="Open" text test="gallery-button" onClick={() => (dialog.value = "gallery")} />
       {open && (
         <>
-          <div class="title" title={r?.path ?? undefined}>
+          <h1 class="title" title={r?.path ?? undefined}>
             <b>{r?.title ?? "Untitled"}</b>
             {!r?.saved && <span class="dim"> · not saved</span>}
-          </div>
+          </h1>
           <Button icon="undo" label="Undo" title="Undo (Ctrl+Z)" kind="quiet" disabled={!r?.can_undo} test="undo" onClick={() => void ask({ do: "undo" })} />
           <Button icon="redo" label="Redo" title="Redo (Ctrl+Shift+Z)" kind="quiet" disabled={!r?.can_redo} test="redo" onClick={() => void ask({ do: "redo" })} />
           <span class="space" />

@@ -58,7 +58,7 @@ function Level() {
 
 function levelText(level: string | null): string {
   if (!level) return "no picture yet";
-  return level === "build" ? "full size" : `preview ${level}`;
+  return level === "build" || level === "1" || level === "1/1" ? "full size" : `preview ${level}`;
 }
 
 function Colours() {
