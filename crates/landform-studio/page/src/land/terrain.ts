@@ -150,6 +150,14 @@ export class Terrain {
     renderer.setRenderTarget(null);
   }
 
+  /** Makes all anew at the next picture: the graphics card has lost what it had. */
+  forget(): void {
+    this.shadedFor = "";
+    this.state = null;
+    this.ground?.dispose();
+    this.ground = null;
+  }
+
   dispose(): void {
     this.ground?.dispose();
     this.colours?.dispose();

@@ -23,7 +23,7 @@ export class LandView {
   private readonly horizon = { value: 0.6 };
   /** Whether pictures are made by the processor: then fewer pixels while moving. */
   readonly software: boolean;
-  private scale = 1;
+  private quick = false;
   private pending = 0;
   private settle: number | undefined;
   private size: [number, number] = [1, 1];
@@ -42,6 +42,11 @@ export class LandView {
     this.renderer.autoClear = false;
     this.first = new Terrain(this.squares());
     this.camera.up.set(0, 0, 1);
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.first.forget();
+      this.second?.forget();
+      this.redraw();
+    });
     const sky = new Mesh(fullPicture(), new RawShaderMaterial({
       glslVersion: GLSL3, vertexShader: SKY_VERTEX, fragmentShader: SKY_FRAGMENT, uniforms: { uHorizon: this.horizon }, depthTest: false, depthWrite: false,
     }));
@@ -69,15 +74,10 @@ export class LandView {
   redraw(quick = false): void {
     window.clearTimeout(this.settle);
     if (quick) this.settle = window.setTimeout(() => this.redraw(), this.software ? 700 : 180);
-    const scale = quick && this.software ? 0.5 : 1;
-    if (this.pending) {
-      this.scale = Math.min(this.scale, scale);
-      return;
-    }
-    this.scale = scale;
-    this.pending = requestAnimationFrame(() => {
+    this.quick = this.pending ? this.quick && quick : quick;
+    this.pending ||= requestAnimationFrame(() => {
       this.pending = 0;
-      this.draw(quick);
+      this.draw(this.quick);
     });
   }
 
@@ -85,7 +85,7 @@ export class LandView {
     const start = performance.now();
     const { renderer, camera, state, drawn } = this;
     const [width, height] = this.size;
-    const ratio = (this.software ? 1 : Math.min(window.devicePixelRatio || 1, 2)) * this.scale;
+    const ratio = (this.software ? 1 : Math.min(window.devicePixelRatio || 1, 2)) * (quick && this.software ? 0.5 : 1);
     this.setSize(Math.round(width * ratio), Math.round(height * ratio));
     this.orbit ??= this.home();
     const orbit = this.orbit;

@@ -1,7 +1,8 @@
 // What the page asks of the server, and what it does with what the server tells.
 import { batch } from "@preact/signals";
 import type { Frame } from "../protocol/frame.ts";
-import { Newest, Session, type Answer } from "../protocol/session.ts";
+import { Newest } from "../protocol/newest.ts";
+import { Session, type Answer } from "../protocol/session.ts";
 import type { Asked, GalleryEntry, Place, StageInfo, Told, Value } from "../protocol/messages.ts";
 import { Forms, type Schema } from "../form/schema.ts";
 import { Assembler, type Raster } from "./raster.ts";
@@ -175,7 +176,7 @@ const dragged = new Newest<Asked>((message) => ask(message));
 
 /** One value of the text. While a slider moves, the newest value wins. */
 export function setValue(place: Place, value: Value, dragging: boolean): void {
-  dragged.push({ do: "set", ...place, value, dragging, stamp: performance.now() });
+  dragged.push(JSON.stringify(place), { do: "set", ...place, value, dragging, stamp: performance.now() });
 }
 
 /** Whether the next recipe that is told is another one, not a change. */

@@ -75,25 +75,3 @@ export class Session {
     }
   }
 }
-
-/** Sends the newest of many values, with one on its way at a time. */
-export class Newest<T> {
-  private busy = false;
-  private waiting: { value: T } | null = null;
-  constructor(private readonly send: (value: T) => Promise<unknown>) {}
-
-  push(value: T): void {
-    this.waiting = { value };
-    if (!this.busy) void this.run();
-  }
-
-  private async run(): Promise<void> {
-    this.busy = true;
-    while (this.waiting) {
-      const { value } = this.waiting;
-      this.waiting = null;
-      await this.send(value);
-    }
-    this.busy = false;
-  }
-}
