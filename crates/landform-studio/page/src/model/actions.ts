@@ -3,7 +3,8 @@ import { batch } from "@preact/signals";
 import type { Frame } from "../protocol/frame.ts";
 import { Newest } from "../protocol/newest.ts";
 import { Session, type Answer } from "../protocol/session.ts";
-import type { Asked, GalleryEntry, Place, StageInfo, Told, Value } from "../protocol/messages.ts";
+import type { Asked, GalleryEntry, Place, Stage, StageInfo, Told, Value } from "../protocol/messages.ts";
+import { parseQuantity } from "../form/quantity.ts";
 import { Forms, type Schema } from "../form/schema.ts";
 import { Assembler, type Raster } from "./raster.ts";
 import * as store from "./store.ts";
@@ -14,6 +15,8 @@ let session: Session;
 /** Frames that are drawn next and then acknowledged. */
 let toAcknowledge: number[] = [];
 let stampToDraw: number | null = null;
+/** Stamps of events whose pictures have not come yet. */
+const dragStamps = new Set<number>();
 
 export function start(): void {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
@@ -89,9 +92,7 @@ function hearRecipe(told: Extract<Told, { tell: "recipe" }>): void {
   const stage = chosen ? told.stages[chosen.stage] : undefined;
   const gone = chosen && (!stage || (chosen.process !== null && !stage.processes[chosen.process]));
   if (opened || gone) {
-    const evolving = told.stages.findIndex((s) => s.on && s.processes.length > 0);
-    const first = evolving >= 0 ? evolving : told.stages.length ? 0 : -1;
-    store.selected.value = first < 0 ? null : { stage: first, process: told.stages[first]!.processes.length ? 0 : null };
+    store.selected.value = firstToChange(told.stages);
   }
   if (opened) {
     store.past.value = [];
@@ -102,6 +103,15 @@ function hearRecipe(told: Extract<Told, { tell: "recipe" }>): void {
     store.homeAsked.value++;
   }
   if (told.errors.length) store.say(`The recipe has ${told.errors.length} mistakes: ${told.errors[0]!.what}`);
+}
+
+/** A process with a plain number in the text, which a slider can move; else the first step. */
+function firstToChange(stages: Stage[]): store.Selected {
+  for (const [stage, s] of stages.entries()) {
+    const process = s.processes.findIndex((p) => Object.values(p.given).some((v) => parseQuantity(v)));
+    if (s.on && process >= 0) return { stage, process };
+  }
+  return stages.length ? { stage: 0, process: null } : null;
 }
 
 function hearState(told: Extract<Told, { tell: "state" }>): void {
@@ -118,7 +128,12 @@ function take(frame: Frame): void {
   if (!frame.header.last) return;
   toAcknowledge.push(frame.header.frame);
   if (!whole?.length) return acknowledge();
-  stampToDraw = frame.header.stamp ?? stampToDraw;
+  const { stamp } = frame.header;
+  if (stamp !== null && dragStamps.delete(stamp)) {
+    stampToDraw = stamp;
+    drawnWaiter?.();
+    for (const older of dragStamps) if (older < stamp) dragStamps.delete(older);
+  }
   const next = new Map(whole.map((raster) => [raster.layer, raster]));
   batch(() => {
     store.layers.value = next;
@@ -172,11 +187,30 @@ export function wanted(): string[] {
 
 export const lookAfter = (stage: number | null): Promise<Answer> => ask({ do: "show", fields: wanted(), stage });
 
-const dragged = new Newest<Asked>((message) => ask(message));
+/** Longest wait for a picture before the next value of a drag is sent, ms. */
+const MOST_WAIT = 600;
+let drawnWaiter: (() => void) | null = null;
+
+/** While something is dragged, the next value waits for the picture of the last: else none would ever be finished. */
+const dragged = new Newest<Asked>(async (message) => {
+  const answer = await ask(message);
+  if (!answer.ok || message.do !== "set" || !message.dragging || !dragStamps.has(message.stamp)) return;
+  await new Promise<void>((done) => {
+    const timer = window.setTimeout(done, MOST_WAIT);
+    drawnWaiter = () => {
+      window.clearTimeout(timer);
+      done();
+    };
+  });
+  drawnWaiter = null;
+});
 
 /** One value of the text. While a slider moves, the newest value wins. */
 export function setValue(place: Place, value: Value, dragging: boolean): void {
-  dragged.push(JSON.stringify(place), { do: "set", ...place, value, dragging, stamp: performance.now() });
+  if (!dragging) drawnWaiter?.();
+  const stamp = performance.now();
+  if (dragging) dragStamps.add(stamp);
+  dragged.push(JSON.stringify(place), { do: "set", ...place, value, dragging, stamp });
 }
 
 /** Whether the next recipe that is told is another one, not a change. */
@@ -185,10 +219,7 @@ let opening = false;
 export function openGallery(name: string): void {
   store.dialog.value = null;
   opening = true;
-  void ask({ do: "open", gallery: name }).then((answer) => {
-    opening = false;
-    if (answer.ok) void ask({ do: "run", level: "auto" });
-  });
+  void ask({ do: "open", gallery: name }).then(() => (opening = false));
 }
 
 /** A seed that nobody has seen. */

@@ -148,7 +148,7 @@ export type Asked =
   | { do: "toggle"; stage: number }
   | { do: "undo" | "redo" | "pause" | "step" | "stop" | "build" | "cancel_build" | "command" }
   | { do: "run"; level: string }
-  | { do: "play"; pace: number }
+  | { do: "play"; pace?: number }
   | { do: "show"; fields: string[]; stage: number | null }
   | { do: "ack"; frame: number }
   | { do: "paint"; field: string; tool: string; radius: number; strength: number; points: number[][] }
@@ -170,5 +170,7 @@ export interface GalleryEntry {
   name: string;
   title: string;
   look: string;
+  /** What it is, in a sentence. */
+  text?: string;
   picture: string;
 }

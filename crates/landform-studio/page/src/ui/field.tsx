@@ -5,19 +5,12 @@ import type { Field } from "../form/schema.ts";
 import { numberAt, positionOf, SLIDER_STEPS, widened } from "../form/slider.ts";
 import { parseToml, tomlText } from "../form/toml.ts";
 import { setValue } from "../model/actions.ts";
-import type { Place, Table, Value } from "../protocol/messages.ts";
+import type { Table, Value } from "../protocol/messages.ts";
 import { Button } from "./parts.tsx";
+import type { Held, Props } from "./field_props.ts";
+import { Inline } from "./inline.tsx";
+import { Varying } from "./varying.tsx";
 import { words } from "./words.ts";
-
-interface Props {
-  field: Field;
-  place: Place;
-  /** What the text holds; undefined where it holds nothing. */
-  given: Value | undefined;
-  /** What is in force. */
-  value: Value | undefined;
-  disabled?: boolean;
-}
 
 export function FieldRow(props: Props) {
   const { field, place, given, disabled } = props;
@@ -51,7 +44,7 @@ function Control(props: Props & { id: string }) {
   const { field, given, value } = props;
   const held = given !== undefined ? given : value !== undefined ? value : field.default;
   const plain = held === null || held === undefined || typeof held !== "object";
-  if (field.varying && !plain) return <Inline {...props} held={held} />;
+  if (field.varying && !plain) return <Varying {...props} held={held} />;
   const { kind } = field;
   switch (kind.is) {
     case "quantity":
@@ -73,8 +66,6 @@ function Control(props: Props & { id: string }) {
       return <Inline {...props} held={held} />;
   }
 }
-
-type Held<T> = Props & { id: string; held: T };
 
 /** A slider between soft limits, and the number with its unit as the text has it. */
 function Amount({ field, place, id, held, disabled }: Held<Value | undefined>) {
@@ -216,25 +207,4 @@ function Group({ place, given, value, field, fields, disabled }: Props & { field
 
 function TextField({ id, place, held, disabled }: Held<string>) {
   return <input id={id} class="field" type="text" spellcheck={false} value={held} disabled={disabled} onChange={(e) => setValue(place, e.currentTarget.value || null, false)} />;
-}
-
-/** Anything else, as the text of the recipe has it. */
-function Inline({ id, field, place, held, disabled }: Held<Value | undefined>) {
-  const trouble = useSignal("");
-  const text = held === undefined || held === null ? "" : tomlText(held);
-  const type = (typed: string) => {
-    try {
-      const value = typed.trim() === "" ? null : parseToml(typed);
-      trouble.value = "";
-      setValue(place, value, false);
-    } catch (error) {
-      trouble.value = (error as Error).message;
-    }
-  };
-  return (
-    <div class="inline">
-      <textarea id={id} class={`field code ${trouble.value ? "wrong" : ""}`} rows={Math.min(8, Math.max(1, Math.ceil(text.length / 34)))} spellcheck={false} value={text} disabled={disabled} placeholder={field.optional ? "none" : ""} onChange={(e) => type(e.currentTarget.value)} />
-      {trouble.value && <p class="fault">{trouble.value}</p>}
-    </div>
-  );
 }

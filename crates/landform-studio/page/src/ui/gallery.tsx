@@ -29,7 +29,7 @@ function Pictures() {
           <button type="button" class="picture" data-testid={`open-${entry.name}`} onClick={() => openGallery(entry.name)}>
             <img src={entry.picture} alt="" width="360" height="240" />
             <span class="picture-title">{entry.title}</span>
-            <span class="picture-look">{entry.look}</span>
+            <span class="picture-look">{entry.text ?? entry.look}</span>
           </button>
         </li>
       ))}

@@ -5,17 +5,13 @@ import { ground, past, pastAt, run } from "../model/store.ts";
 import { Button } from "./parts.tsx";
 import { words } from "./words.ts";
 
-const YEAR = 31_557_600;
-/** Least time from step to step while one watches, ms: quick processes are over before one sees them. */
-const PACE = 40;
 
 export function TimeBar() {
   const s = run.value;
   const going = s?.running === true && !s.paused;
   const frames = past.value.length;
   const at = pastAt.value ?? frames - 1;
-  const time = pastAt.value === null ? s?.time ?? null : null;
-  const years = pastAt.value !== null ? ground.value?.time ?? 0 : time !== null ? time / YEAR : ground.value?.time ?? 0;
+  const years = ground.value?.time ?? 0;
   const part = (s?.running ? s.part : s?.building ? s.building.part : s?.part) ?? 0;
   return (
     <section class="time" aria-label="Time" data-testid="time">
@@ -66,5 +62,5 @@ function scrub(to: number): void {
 export function playOrPause(): void {
   const s = run.value;
   pastAt.value = null;
-  void ask(s?.running && !s.paused ? { do: "pause" } : { do: "play", pace: PACE });
+  void ask(s?.running && !s.paused ? { do: "pause" } : { do: "play" });
 }
