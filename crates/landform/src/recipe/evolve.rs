@@ -13,6 +13,7 @@ use landform_core::{Error, Result};
 
 use super::checkpoint::Checkpoint;
 use super::entry::Evolve;
+use super::look::{self, look};
 use super::options::{Options, Progress, Signal};
 use super::watch::{Watch, Watcher};
 use super::{Level, Recipe};
@@ -75,6 +76,9 @@ impl Visit for Evolving<'_, '_> {
             simulation = simulation.refine(clock.refine);
         }
         simulation = run.observed(simulation, &beside, |view, beside| open(beside).look(view));
+        if options.look.is_some() {
+            simulation = simulation.between(|model| look(options.look, &mut look::Running(model)));
+        }
         if saves {
             simulation = simulation.save_every(options.checkpoint_every, |model| open(&beside).save(model));
         }
@@ -161,6 +165,10 @@ impl<'a, 'b> Run<'a, 'b> {
             terrain.take_change_of(&before, view.terrain);
             open(beside).look(&View { terrain: &terrain, ..*view })
         });
+        if self.options.look.is_some() {
+            simulation = simulation
+                .between(|model| look(self.options.look, &mut look::Coarser { model, before: &before, finest }));
+        }
         let outcome = simulation.run()?;
         let after = simulation.into_terrain();
         let left = LeftOff { before, after, time: outcome.time, steps: outcome.steps };

@@ -14,6 +14,7 @@ use super::cache::Cache;
 use super::checkpoint::{Checkpoint, check_undamaged, tidy};
 use super::entry::{Entry, Work};
 use super::evolve::{Evolving, Run};
+use super::look::Looker;
 use super::options::{Options, Outputs, Signal};
 use super::watch::Watch;
 use super::{Plan, Recipe};
@@ -93,7 +94,12 @@ impl Runner<'_> {
             }
             // Files that are written on the way are not in the cache.
             let watched = self.watch_of(entry).is_some();
-            let known = if planned.cached && !watched { self.known(&planned.key, &current) } else { None };
+            let looked = matches!(entry.work, Work::Evolve(_)) && self.options.look.is_some_and(Looker::wants_all);
+            let known = if planned.cached && !watched && !looked && !self.is_changed() {
+                self.known(&planned.key, &current)
+            } else {
+                None
+            };
             (self.options.progress)(Signal::Stage {
                 index: k + 1,
                 of,
@@ -142,6 +148,11 @@ impl Runner<'_> {
             Cow::Owned(window) => Arc::new(window),
         };
         Ok(Ran::ToTheEnd(terrain, current.history))
+    }
+
+    /// Whether what looks on has changed the ground, so that it is no longer what its key says.
+    fn is_changed(&self) -> bool {
+        self.options.look.is_some_and(Looker::has_changed_it)
     }
 
     /// Tells what readers of files noted.
@@ -265,7 +276,7 @@ impl Runner<'_> {
             Work::Once(stage) => stage.apply(Some(&*self.terrain(current)?), &context)?,
         };
         let (terrain, event) = (Arc::new(terrain), event(entry, outcome));
-        if let Some(cache) = self.cache
+        if let Some(cache) = self.cache.filter(|_| !self.is_changed())
             && let Err(e) = cache.store(key, &terrain, &event)
         {
             self.note(format!("cache: {e}; the run goes on without it"));
