@@ -8,6 +8,7 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
 const page = await browser.newPage({ viewport: { width: 960, height: 640 }, bypassCSP: true });
+for (const file of ["studio.js", "studio.css"]) await page.route(`**/${file}`, (route) => route.fulfill({ path: join("..", "assets", file) }));
 await page.goto(address);
 await page.addStyleTag({ content: ".app { grid-template: 'views' 1fr / 1fr !important } .app > :not(.views), .views > :not(.panes) { display: none !important } .welcome, dialog { display: block !important }" });
 await page.waitForFunction(() => document.querySelector("[data-testid=app]")?.dataset.ready === "true");

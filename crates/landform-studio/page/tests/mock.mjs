@@ -177,7 +177,7 @@ class Studio {
   ask(m) {
     switch (m.do) {
       case "hello":
-        this.say({ tell: "welcome", protocol: 1, version: "mock", session: "mock", root: "/mock", output: "/mock/out", can: ["paint"] });
+        this.say({ tell: "welcome", protocol: 1, version: "mock", session: "mock", root: "/mock", output: "/mock/out", can: ["paint", "stroke"] });
         this.say({ tell: "fields", names: [{ name: "elevation", unit: "m" }, { name: "drainage_area", unit: "m2" }, { name: "lake_depth", unit: "m" }] });
         this.tellRecipe();
         this.tellRun({});
@@ -205,6 +205,11 @@ class Studio {
       case "ack": this.unacknowledged = Math.max(0, this.unacknowledged - 1); return;
       case "text": this.typed = m.text; this.tellRecipe(!/\[\[stag\]\]/.test(m.text) ? [] : [{ line: 1, column: 1, what: "the key `stag` is not known", hint: "Did you mean `stage`?", stage: null }]); return;
       case "paint": return this.paint(m);
+      case "stroke": return this.change(() => {
+        const given = this.stages[m.stage].processes[m.process].given, held = given[m.key[0]];
+        const strokes = held?.strokes ?? [];
+        given[m.key[0]] = { strokes: [...strokes, { tool: m.tool, radius: m.radius, strength: m.strength, points: m.points }], base: held?.base ?? held ?? "0.5 mm/yr" };
+      });
       case "contact": return m.seeds.forEach((seed, i) => setTimeout(() => this.say({ tell: "contact", seed, png: thumbnail(seed) }), 120 * (i + 1)));
       case "build": this.tellRun({ building: { what: "build", stage: 1, of: 3, name: "evolve", part: 0.4, seconds: 1, waiting: 0 } }); setTimeout(() => { this.tellRun({ building: null }); this.say({ tell: "built", files: [{ path: "land.png", bytes: 2_100_000 }], seconds: 3.2 }); }, 800); return;
       case "export": this.say({ tell: "built", files: [{ path: m.parameters.path ?? "file", bytes: 1_400_000 }], seconds: 1 }); return;

@@ -102,6 +102,8 @@ export const SHADE_VERTEX = /* glsl */ `
 export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
   uniform sampler2D tShade;
   uniform sampler2D tColour;   // colours of a field; alpha: how much water runs here
+  uniform sampler2D tMaterial; // colours of materials; alpha: 0 what grows there, 0.5 rock on slopes, 1 all
+  uniform int uMaterial;
   uniform vec3 uSun;
   uniform vec3 uEye;
   uniform float uRelief;
@@ -146,9 +148,10 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
     return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2));
   }
 
-  vec3 natural(float height, float slope, float open, float spread) {
-    float share = height / max(uRelief, 1e-3);
-    float part = share * smoothstep(10.0, 700.0, uRelief);   // low land is green all over
+  vec3 natural(float height, float slope, float open, float spread, vec4 material) {
+    float base = max(uSeaHeight, 0.0), relief = max(uRelief - base, 1e-3);
+    float share = (height - base) / relief;
+    float part = share * smoothstep(10.0, 700.0, relief);   // low land is green all over
     float mottle = spread - 0.5;
     vec3 rock = mix(vec3(0.165, 0.145, 0.125), vec3(0.285, 0.255, 0.220), spread);
     vec3 scree = vec3(0.300, 0.262, 0.212) * (0.9 + 0.25 * mottle);
@@ -160,7 +163,9 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
     float bare = smoothstep(0.48, 0.82, slope + 0.25 * mottle + 0.30 * smoothstep(0.5, 0.95, part));
     vec3 c = mix(low, scree, smoothstep(0.34, 0.58, slope + 0.18 * mottle + 0.12 * part) * 0.8);
     c = mix(c, rock, bare);
-    float beach = 1.0 - smoothstep(0.006, 0.018, (height - uSeaHeight) / max(uRelief, 30.0) + 0.008 * mottle);
+    float shows = max(smoothstep(0.55, 0.95, material.a), smoothstep(0.05, 0.45, material.a) * (0.30 + 0.70 * smoothstep(0.10, 0.42, slope + 0.10 * mottle)));
+    c = mix(c, material.rgb * (0.72 + 0.30 * spread), shows);
+    float beach = 1.0 - smoothstep(0.006, 0.018, (height - uSeaHeight) / max(relief, 30.0) + 0.008 * mottle) * step(material.a, 0.7);
     c = mix(c, vec3(0.46, 0.40, 0.28), beach * (1.0 - smoothstep(0.2, 0.5, slope)));
     float line = share + 0.13 * mottle + 0.10 * (open - 0.85) - 0.20 * smoothstep(0.75, 1.6, slope);
     float snow = smoothstep(uSnow - 0.03, uSnow + 0.07, line) * (1.0 - 0.85 * smoothstep(0.95, 1.7, slope));
@@ -192,6 +197,8 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
       float slope = length(flat_) / normal.z / uTall;
       float open = s.b, shadow = s.a;
       vec4 field = texture(tColour, texel(vPart));
+      vec4 material = uMaterial == 1 ? texture(tMaterial, texel(vPart)) : vec4(0.0);
+      material.rgb = pow(material.rgb, vec3(2.2)) * 0.72;
       float metre = uSize.x / 260.0;
       float spread = grain(vPlace.xy / metre);
       if (uDetail > 0.5) {
@@ -205,8 +212,8 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
       }
       vec3 albedo = uLook == 1 ? pow(field.rgb, vec3(2.2)) * 0.62
         : uLook == 2 ? vec3(0.36, 0.335, 0.30)
-        : uLook == 3 ? mix(vec3(0.46, 0.30, 0.145), vec3(0.54, 0.37, 0.195), spread) * (0.9 + 0.1 * normal.z)
-        : natural(g.r, slope, open, spread);
+        : uLook == 3 ? mix(vec3(0.46, 0.30, 0.145), vec3(0.54, 0.37, 0.195), spread) * (0.9 + 0.1 * normal.z) * (uMaterial == 1 ? mix(vec3(0.52, 0.50, 0.50), vec3(1.0), smoothstep(0.2, 0.9, material.a)) : vec3(1.0))
+        : natural(g.r, slope, open, spread, material);
       if (uLook == 0) albedo = mix(albedo, vec3(0.070, 0.125, 0.150), field.a * 0.85);
       float sun = max(dot(normal, uSun), 0.0) * shadow;
       vec3 warm = mix(vec3(1.0, 0.70, 0.46), vec3(1.0, 0.955, 0.88), smoothstep(0.05, 0.6, uSun.z));
@@ -215,7 +222,7 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
       vec3 bounce = vec3(0.24, 0.19, 0.14) * (1.0 - open) * (0.4 + sun);
       lit = albedo * (warm * sun * 2.7 + sky * 0.62 + bounce);
       if (depth > 0.0 && uLook != 1) {
-        float scale = max(uRelief * 0.02, 1e-2);
+        float scale = clamp(uRelief * 0.02, 1e-2, 9.0);
         float path = depth / scale;
         vec3 through = exp(-path * vec3(1.15, 0.50, 0.38));
         vec3 bed = vec3(0.42, 0.38, 0.29) * (warm * shadow * 1.6 + 0.35);

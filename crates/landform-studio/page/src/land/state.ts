@@ -1,4 +1,5 @@
 // What a picture of the land shows: its ground, water and colours. Kept states are compared with each other.
+import { otherCover, type Cover } from "../model/materials.ts";
 import { partOf, rampTable, type FieldScale } from "../model/ramps.ts";
 import type { Raster } from "../model/raster.ts";
 
@@ -7,6 +8,8 @@ export interface LandState {
   /** Depth of water (see model/water.ts). */
   depth: Float32Array | null;
   drainage: Raster | null;
+  /** Numbers of the materials at the surface, and what they look like. */
+  material: { raster: Raster; covers: Cover[] } | null;
   /** The field that gives the colours, and its scale. */
   field: { raster: Raster; scale: FieldScale } | null;
 }
@@ -21,6 +24,21 @@ export function groundTexels(state: LandState): Float32Array {
     const v = z[i]!;
     out[2 * i] = Number.isNaN(v) ? -1e4 : v - min;
     out[2 * i + 1] = state.depth ? state.depth[i]! : -50;
+  }
+  return out;
+}
+
+/** Colours of materials, and in alpha how much of them shows; null where there are none. */
+export function materialTexels({ ground, material }: LandState): Uint8Array | null {
+  if (!material || material.raster.z.length !== ground.z.length) return null;
+  const out = new Uint8Array(ground.z.length * 4);
+  for (let i = 0; i < ground.z.length; i++) {
+    const number = material.raster.z[i]!;
+    const { colour, shows } = Number.isNaN(number) ? otherCover(0) : (material.covers[number] ?? otherCover(number));
+    out[4 * i] = colour[0];
+    out[4 * i + 1] = colour[1];
+    out[4 * i + 2] = colour[2];
+    out[4 * i + 3] = Math.round(255 * shows);
   }
   return out;
 }

@@ -6,7 +6,7 @@ import {
 import { extent } from "../model/raster.ts";
 import { fullPicture, surfaceGrid, wallStrip } from "./mesh.ts";
 import { SHADE_FRAGMENT, SHADE_VERTEX, TERRAIN_FRAGMENT, TERRAIN_VERTEX } from "./shaders.ts";
-import { colourTexels, groundTexels, type LandState, type Look } from "./state.ts";
+import { colourTexels, groundTexels, materialTexels, type LandState, type Look } from "./state.ts";
 
 export interface Light {
   /** Compass direction from which the sun shines, and its height, radians. */
@@ -36,6 +36,7 @@ export class Terrain {
   private state: LandState | null = null;
   private ground: DataTexture | null = null;
   private colours: DataTexture | null = null;
+  private materials: DataTexture | null = null;
   private shade = new WebGLRenderTarget(1, 1, { minFilter: LinearFilter, magFilter: LinearFilter, depthBuffer: false });
   private shadedFor = "";
   private version = 0;
@@ -44,6 +45,8 @@ export class Terrain {
   private readonly uniforms = {
     tGround: { value: null as DataTexture | null },
     tColour: { value: null as DataTexture | null },
+    tMaterial: { value: null as DataTexture | null },
+    uMaterial: { value: 0 },
     tShade: { value: this.shade.texture },
     uSize: { value: new Vector2(1, 1) },
     uNodes: { value: new Vector2(2, 2) },
@@ -98,6 +101,12 @@ export class Terrain {
     }
     (this.colours!.image.data as unknown as Uint8Array).set(colourTexels(state));
     this.colours!.needsUpdate = true;
+    const materials = materialTexels(state);
+    this.uniforms.uMaterial.value = materials ? 1 : 0;
+    if (materials) {
+      (this.materials!.image.data as unknown as Uint8Array).set(materials);
+      this.materials!.needsUpdate = true;
+    }
     this.uniforms.uSize.value.set(...extent(state.ground));
     this.uniforms.uNodes.value.set(cols, rows);
     this.uniforms.uRelief.value = Math.max(max - min, 1e-3);
@@ -108,15 +117,18 @@ export class Terrain {
   private resize(rows: number, cols: number): void {
     this.ground?.dispose();
     this.colours?.dispose();
+    this.materials?.dispose();
     this.ground = new DataTexture(new Float32Array(rows * cols * 2), cols, rows, RGFormat, FloatType);
     this.colours = new DataTexture(new Uint8Array(rows * cols * 4), cols, rows, RGBAFormat, UnsignedByteType);
-    for (const texture of [this.ground, this.colours]) {
+    this.materials = new DataTexture(new Uint8Array(rows * cols * 4), cols, rows, RGBAFormat, UnsignedByteType);
+    for (const texture of [this.ground, this.colours, this.materials]) {
       texture.minFilter = texture.magFilter = LinearFilter;
       texture.wrapS = texture.wrapT = ClampToEdgeWrapping;
       texture.generateMipmaps = false;
     }
     this.uniforms.tGround.value = this.ground;
     this.uniforms.tColour.value = this.colours;
+    this.uniforms.tMaterial.value = this.materials;
     this.shade.setSize(cols, rows);
     const across = Math.min(cols - 1, this.mostSquares) || 1, down = Math.min(rows - 1, this.mostSquares) || 1;
     this.surface.geometry.dispose();
@@ -161,6 +173,7 @@ export class Terrain {
   dispose(): void {
     this.ground?.dispose();
     this.colours?.dispose();
+    this.materials?.dispose();
     this.shade.dispose();
     this.surface.geometry.dispose();
     this.walls.geometry.dispose();

@@ -25,7 +25,8 @@ export function start(): void {
     frame: take,
     connected(open) {
       store.connected.value = open;
-      if (open) void ask({ do: "show", fields: wanted(), stage: null });
+      asked = "";
+      if (open) showWanted();
       store.say(open ? "Connected." : "The connection is lost; trying again.");
     },
     trouble: (text) => store.note("error", text),
@@ -63,7 +64,7 @@ function hear(told: Told): void {
       case "recipe": hearRecipe(told); break;
       case "state": hearState(told); break;
       case "charts": store.charts.value = told; break;
-      case "fields": store.fields.value = told.names; break;
+      case "fields": store.fields.value = told.names; showWanted(); break;
       case "log": store.note(told.kind, told.text); break;
       case "latency": store.latency.value = { server: told.sent - told.received, whole: store.latency.value?.whole ?? NaN }; break;
       case "built":
@@ -101,6 +102,7 @@ function hearRecipe(told: Extract<Told, { tell: "recipe" }>): void {
     store.comparing.value = null;
     if (before !== null) store.layers.value = new Map();
     store.homeAsked.value++;
+    store.lookedAt.value = null;
   }
   if (told.errors.length) store.say(`The recipe has ${told.errors.length} mistakes: ${told.errors[0]!.what}`);
 }
@@ -147,13 +149,15 @@ function keepPast(next: Map<string, Raster>): void {
   if (!ground) return;
   const past = store.past.value;
   const last = past.at(-1)?.get("elevation");
-  const goesOn = last && last.level === ground.level && last.revision === ground.revision && last.stage === ground.stage && ground.time > last.time;
-  const kept = goesOn ? [...past, next] : last && last.time === ground.time && last.level === ground.level ? [...past.slice(0, -1), next] : [next];
+  const sameRun = last && last.level === ground.level && last.revision === ground.revision;
+  const goesOn = sameRun && ground.time > last.time;
+  const again = sameRun && ground.time === last.time;
+  const kept = goesOn ? [...past, next] : again ? [...past.slice(0, -1), next] : [next];
   const bytes = ground.z.byteLength * next.size;
   // Every other picture goes when there are too many, so that the whole course stays.
   const most = Math.max(8, Math.floor(MOST_PAST_BYTES / bytes));
   store.past.value = kept.length > most ? kept.filter((_, i) => i % 2 === 0 || i === kept.length - 1) : kept;
-  if (!goesOn) store.pastAt.value = null;
+  if (!goesOn && !again) store.pastAt.value = null;
 }
 
 /** Called when the newest state has been drawn: acknowledges its frames and measures. */
@@ -181,11 +185,27 @@ function acknowledge(): void {
 export function wanted(): string[] {
   const names = new Set(["elevation", "drainage_area", "lake_depth"]);
   const field = store.colourField.value;
+  if (store.fields.value.some((f) => f.name === "surface_material")) names.add("surface_material");
   if (store.look.value === "field" && field !== "slope") names.add(field);
   return [...names];
 }
 
-export const lookAfter = (stage: number | null): Promise<Answer> => ask({ do: "show", fields: wanted(), stage });
+let asked = "";
+
+/** Asks for the wanted layers, if they are others than those asked for last. */
+export function showWanted(): void {
+  const fields = wanted();
+  const stage = store.lookedAt.value;
+  const key = `${stage} ${fields.join(" ")}`;
+  if (key === asked) return;
+  asked = key;
+  void ask({ do: "show", fields, stage });
+}
+
+export function lookAfter(stage: number | null): void {
+  store.lookedAt.value = stage;
+  showWanted();
+}
 
 /** Longest wait for a picture before the next value of a drag is sent, ms. */
 const MOST_WAIT = 600;

@@ -2,7 +2,8 @@
 import { computed, signal } from "@preact/signals";
 import { Forms, type Schema } from "../form/schema.ts";
 import type { Look, LandState } from "../land/state.ts";
-import type { BuiltFile, Charts, GalleryEntry, Recipe, RunState, StageInfo, Welcome } from "../protocol/messages.ts";
+import type { BuiltFile, Charts, GalleryEntry, Place, Recipe, RunState, StageInfo, Welcome } from "../protocol/messages.ts";
+import { covers } from "./materials.ts";
 import { scaleOf } from "./ramps.ts";
 import { slopeRaster, type Raster } from "./raster.ts";
 import { waterDepth } from "./water.ts";
@@ -60,7 +61,21 @@ export const sunHeight = signal(30);
 /** Grows by one when the whole land shall be shown. */
 export const homeAsked = signal(0);
 
+/** Whether hollows are shown as lakes; not in deserts. */
+export const showLakes = signal(true);
+/** Step whose ground is looked at; null: the last. */
+export const lookedAt = signal<number | null>(null);
+
 export const painting = signal<Tool | null>(null);
+/** A value of the recipe that is painted instead of the ground. */
+export interface PaintTarget {
+  place: Place;
+  label: string;
+  unit: string;
+  /** A usual number of it, in the unit. */
+  typical: number;
+}
+export const paintTarget = signal<PaintTarget | null>(null);
 export const brushRadius = signal(0.06);
 export const brushStrength = signal(0.3);
 export const brushAt = signal<[number, number] | null>(null);
@@ -87,6 +102,8 @@ export const shownLayers = computed(() => (pastAt.value === null ? layers.value 
 export const ground = computed(() => shownLayers.value.get("elevation") ?? null);
 export const hasDunes = computed(() => recipe.value?.stages.some((s) => s.on && (s.use === "dunes" || s.processes.some((p) => p.use === "dunes"))) ?? false);
 
+const ownMaterials = computed(() => Object.keys((recipe.value?.given?.["materials"] ?? {}) as object));
+
 /** How the land is coloured. */
 export const shownLook = computed<Look>(() => (look.value !== "auto" ? look.value : hasDunes.value ? "sand" : "natural"));
 
@@ -99,12 +116,13 @@ export const land = computed<LandState | null>(() => {
     const layer = all.get(name);
     return layer && layer.rows === elevation.rows && layer.cols === elevation.cols ? layer : null;
   };
-  const depth = waterDepth(elevation, like("lake_depth"));
+  const material = like("surface_material");
+  const depth = waterDepth(elevation, showLakes.value && !hasDunes.value ? like("lake_depth") : null);
   const name = colourField.value;
   const raster = name === "slope" ? (like("slope") ?? slopeRaster(elevation)) : like(name);
   const coloured = shownLook.value === "field" && raster;
   return {
-    ground: elevation, depth, drainage: like("drainage_area"),
+    ground: elevation, depth, drainage: like("drainage_area"), material: material && { raster: material, covers: covers(ownMaterials.value) },
     field: coloured ? { raster, scale: scaleOf(name, raster.min, raster.max) } : null,
   };
 });
@@ -113,7 +131,7 @@ export const land = computed<LandState | null>(() => {
 export const snowLine = computed(() => {
   const g = ground.value;
   if (!g) return 2;
-  const relief = g.max - g.min;
+  const relief = g.max - Math.max(g.min, g.sea ?? g.min);
   return relief > 1500 ? 0.74 : relief > 800 ? 0.84 : 2;
 });
 

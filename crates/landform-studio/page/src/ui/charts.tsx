@@ -1,5 +1,5 @@
 // Charts of the shown ground and its report card.
-import { numberText } from "../form/quantity.ts";
+import { areaText, numberText } from "../form/quantity.ts";
 import { charts } from "../model/store.ts";
 import type { CardRow, Charts } from "../protocol/messages.ts";
 import { words } from "./words.ts";
@@ -17,7 +17,7 @@ export function Measures() {
         <Plot title="Hypsometry" help="Share of the land above a height" points={c.hypsometry} x="share of the area" y="height, m" line />
       )}
       {c.slope_area && c.slope_area.length > 1 && (
-        <Plot title="Slope and area" help="Rivers fall less the more land they drain" points={c.slope_area} x="drainage area, m²" y="slope" log />
+        <Plot title="Slope and area" help="Rivers fall less the more land they drain" points={c.slope_area} x="drainage area" y="slope" log />
       )}
       {c.card && c.card.length > 0 && <Card rows={c.card} verdict={c.verdict} />}
     </div>
@@ -28,10 +28,20 @@ function Summary({ c }: { c: Charts }) {
   return (
     <dl class="summary">
       {Object.entries(c.summary).filter(([, v]) => v !== null).map(([name, v]) => (
-        <div key={name}><dt>{words(name)}</dt><dd>{numberText(v!, 4)}</dd></div>
+        <div key={name}><dt>{words(name)}</dt><dd>{summaryText(name, v!)}</dd></div>
       ))}
     </dl>
   );
+}
+
+const METRES = new Set(["min", "max", "mean", "median", "deviation", "relief", "sea_level"]);
+
+function summaryText(name: string, v: number): string {
+  if (METRES.has(name)) return `${numberText(v, 4)} m`;
+  if (name === "area") return areaText(v);
+  if (name === "mean_slope") return `${numberText(v, 3)}°`;
+  if (name === "nodes") return v.toLocaleString("en");
+  return numberText(v, 3);
 }
 
 const W = 312, H = 132, LEFT = 44, BOTTOM = 26, TOP = 8, RIGHT = 10;
@@ -79,8 +89,9 @@ function Plot({ title, help, points, x, y, line, log }: { title: string; help: s
   const [lowX, highX] = range(0), [lowY, highY] = range(1);
   const px = (v: number) => LEFT + (spanX * (f(v) - f(lowX))) / (f(highX) - f(lowX) || 1);
   const py = (v: number) => TOP + spanY * (1 - (f(v) - f(lowY)) / (f(highY) - f(lowY) || 1));
+  const end = (v: number) => (log ? areaText(v) : numberText(v, 3));
   return (
-    <Frame title={title} help={help} x={x} y={y} lowX={numberText(lowX, 2)} highX={numberText(highX, 3)} lowY={numberText(lowY, 2)} highY={numberText(highY, 3)}>
+    <Frame title={title} help={help} x={x} y={y} lowX={end(lowX)} highX={end(highX)} lowY={numberText(lowY, 2)} highY={numberText(highY, 3)}>
       {line
         ? <path class="line" d={usable.map(([a, b], i) => `${i ? "L" : "M"}${px(a).toFixed(1)} ${py(b).toFixed(1)}`).join("")} />
         : usable.map(([a, b], i) => <circle key={i} class="point" cx={px(a)} cy={py(b)} r="2.2" />)}

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { ask } from "../model/actions.ts";
 import { recipe } from "../model/store.ts";
+import { Fault } from "./marked.tsx";
 import { colourToml } from "./toml_colours.ts";
 
 export function Editor() {
@@ -61,10 +62,10 @@ export function Editor() {
       </div>
       <div class="editor-faults" role="alert">
         {(r?.errors ?? []).map((e) => (
-          <p class="fault" key={`${e.line} ${e.what}`}>
+          <div class="editor-fault" key={`${e.line} ${e.what}`}>
             {e.line !== null && <button type="button" class="link" onClick={() => goTo(area.current!, e.line!, e.column ?? 1)}>Line {e.line}</button>}
-            {e.line !== null ? ": " : ""}{e.what}{e.hint ? ` ${e.hint}` : ""}
-          </p>
+            <Fault what={e.what} hint={e.hint} />
+          </div>
         ))}
       </div>
     </div>

@@ -6,9 +6,11 @@ import { numberAt, positionOf, SLIDER_STEPS, widened } from "../form/slider.ts";
 import { parseToml, tomlText } from "../form/toml.ts";
 import { setValue } from "../model/actions.ts";
 import type { Table, Value } from "../protocol/messages.ts";
+import { Marked } from "./marked.tsx";
 import { Button } from "./parts.tsx";
 import type { Held, Props } from "./field_props.ts";
 import { Inline } from "./inline.tsx";
+import { PaintButton } from "./paint_button.tsx";
 import { Varying } from "./varying.tsx";
 import { words } from "./words.ts";
 
@@ -26,7 +28,7 @@ export function FieldRow(props: Props) {
         <button type="button" class="button quiet help-button" aria-expanded={helping.value} aria-label={`About ${words(field.key)}`} onClick={() => (helping.value = !helping.value)}>?</button>
       </div>
       <Control {...props} id={id} />
-      {helping.value && <p class="help">{field.help} {limitsText(field)}</p>}
+      {helping.value && <p class="help"><Marked text={`${field.help} ${limitsText(field)}`} /></p>}
     </div>
   );
 }
@@ -110,6 +112,7 @@ function Amount({ field, place, id, held, disabled }: Held<Value | undefined>) {
         id={id} class={`field number ${wrong.value ? "wrong" : ""}`} type="text" inputMode="decimal" spellcheck={false} disabled={disabled} value={text}
         placeholder={field.optional ? "none" : ""} aria-invalid={wrong.value} onChange={(e) => type(e.currentTarget.value)}
       />
+      <PaintButton field={field} place={place} held={held} disabled={disabled} />
       {field.varying && <Button label="ƒ" text kind="quiet" title="Let it vary: a formula of place" disabled={disabled} onClick={() => setValue(place, formulaOf(held, unit), false)} />}
     </div>
   );

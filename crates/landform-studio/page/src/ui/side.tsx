@@ -6,6 +6,7 @@ import type { Place, Stage, Step, Table } from "../protocol/messages.ts";
 import { Measures } from "./charts.tsx";
 import { Editor } from "./editor.tsx";
 import { FieldRow } from "./field.tsx";
+import { Fault, Marked } from "./marked.tsx";
 import { Button, Segments } from "./parts.tsx";
 import { words } from "./words.ts";
 
@@ -40,7 +41,7 @@ function StepForm() {
   return (
     <div class="side-body" key={`${stage.index} ${chosen!.process}`}>
       <h2>{words(step.use)}</h2>
-      <p class="dim lead">{info?.summary || forms.value.help(step.use)}</p>
+      <p class="dim lead"><Marked text={info?.summary || forms.value.help(step.use)} /></p>
       <Faults stage={stage.index} />
       {!stage.on && <p class="step-note">This step is off. Turn it on at the left to change it.</p>}
       {!inProcess && <Clock stage={stage} place={place} />}
@@ -57,7 +58,7 @@ function StepForm() {
 
 function Faults({ stage }: { stage: number }) {
   const faults = recipe.value?.errors.filter((e) => e.stage === stage) ?? [];
-  return <>{faults.map((f) => <p class="fault" key={f.what}>{f.line ? `Line ${f.line}: ` : ""}{f.what}{f.hint ? ` ${f.hint}` : ""}</p>)}</>;
+  return <>{faults.map((f) => <Fault key={f.what} what={f.what} hint={f.hint} line={f.line} />)}</>;
 }
 
 const LATER = new Set(["options", "surroundings", "files"]);

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { ask } from "../model/actions.ts";
 import { addInto, dialog, forms, recipe, selected, stages } from "../model/store.ts";
 import type { StageInfo } from "../protocol/messages.ts";
+import { Marked } from "./marked.tsx";
 import { Modal } from "./parts.tsx";
 import { words } from "./words.ts";
 
@@ -27,7 +28,7 @@ export function AddStage() {
               <li key={s.name}>
                 <button type="button" aria-current={one?.name === s.name ? "true" : undefined} onClick={() => (picked.value = s.name)} onDblClick={() => add(s.name)}>
                   <b>{words(s.name)}</b>
-                  <small>{s.summary}</small>
+                  <small><Marked text={s.summary} /></small>
                 </button>
               </li>
             ))}
@@ -37,7 +38,7 @@ export function AddStage() {
         {one && (
           <div class="adder-text">
             <h3>{words(one.name)} <small class="dim">{one.folder}</small></h3>
-            <p>{one.text || one.summary}</p>
+            <p><Marked text={one.text || one.summary} /></p>
             {one.sources.length > 0 && <h4>Sources</h4>}
             {one.sources.map((s) => <p class="source" key={s.title}>{s.authors}: {s.title}{s.doi ? `. ${s.doi}` : ""}</p>)}
             <button type="button" class="button strong" data-testid="add-this" onClick={() => add(one.name)}>Add {words(one.name).toLowerCase()}</button>

@@ -1,16 +1,15 @@
 // The list of steps: what the land is made of, in order.
 import { signal } from "@preact/signals";
 import { ask, lookAfter } from "../model/actions.ts";
-import { addInto, dialog, ground, recipe, run, selected, tab } from "../model/store.ts";
+import { addInto, dialog, lookedAt, recipe, run, selected, tab } from "../model/store.ts";
 import type { Stage } from "../protocol/messages.ts";
 import { Icon } from "./icons.tsx";
+import { Fault, Marked } from "./marked.tsx";
 import { Button } from "./parts.tsx";
 import { secondsText, words } from "./words.ts";
 
 const carried = signal<number | null>(null);
 const over = signal<number | null>(null);
-/** Step whose ground is looked at; null: the last. */
-export const lookedAt = signal<number | null>(null);
 
 export function StepList() {
   const stages = recipe.value?.stages ?? [];
@@ -60,7 +59,7 @@ function Step({ stage, count }: { stage: Stage; count: number }) {
           {stage.label && <small>{stage.label}</small>}
         </button>
         {stage.seconds !== null && stage.seconds !== undefined && <small class="cost" title="Time that this step took last">{secondsText(stage.seconds)}</small>}
-        <Button icon="eye" label={shown ? "Look at the last step's ground" : "Look at the ground after this step"} kind="quiet" pressed={shown} onClick={() => look(shown ? null : stage.index)} />
+        <Button icon="eye" label={shown ? "Look at the last step's ground" : "Look at the ground after this step"} kind="quiet" pressed={shown} onClick={() => lookAfter(shown ? null : stage.index)} />
       </div>
       {stage.processes.length > 0 && (
         <ul class="processes">
@@ -80,8 +79,8 @@ function Step({ stage, count }: { stage: Stage; count: number }) {
           )}
         </ul>
       )}
-      {faults.map((f) => <p class="fault" key={f.what}>{f.what}{f.hint ? ` ${f.hint}` : ""}</p>)}
-      {stage.notes.map((n) => <p class="step-note" key={n}>{n}</p>)}
+      {faults.map((f) => <Fault key={f.what} what={f.what} hint={f.hint} />)}
+      {stage.notes.map((n) => <p class="step-note" key={n}><Marked text={n} /></p>)}
       {chosen && (
         <div class="step-tools">
           <Button icon="up" label="Move up" kind="quiet" disabled={stage.index === 0} onClick={() => void ask({ do: "move", stage: stage.index, to: stage.index - 1 })} />
@@ -98,11 +97,4 @@ function drop(to: number): void {
   const from = carried.value;
   carried.value = over.value = null;
   if (from !== null && from !== to) void ask({ do: "move", stage: from, to });
-}
-
-function look(stage: number | null): void {
-  lookedAt.value = stage;
-  void lookAfter(stage).then((answer) => {
-    if (answer.ok && !ground.value) void ask({ do: "run", level: "auto" });
-  });
 }

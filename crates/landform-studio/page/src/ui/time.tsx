@@ -6,6 +6,9 @@ import { Button } from "./parts.tsx";
 import { words } from "./words.ts";
 
 
+/** Least time from step to step while one watches, ms: quick processes are over before one sees them. */
+const PACE = 40;
+
 export function TimeBar() {
   const s = run.value;
   const going = s?.running === true && !s.paused;
@@ -62,5 +65,5 @@ function scrub(to: number): void {
 export function playOrPause(): void {
   const s = run.value;
   pastAt.value = null;
-  void ask(s?.running && !s.paused ? { do: "pause" } : { do: "play" });
+  void ask(s?.running && !s.paused ? { do: "pause" } : { do: "play", pace: PACE });
 }

@@ -1,28 +1,31 @@
 // Tools at the left of the view: the brush, light, height, contours.
 import { signal } from "@preact/signals";
-import { lengthText } from "../form/quantity.ts";
+import { lengthText, numberText } from "../form/quantity.ts";
 import { endStroke, radius, strength, strokePoint } from "../model/brush.ts";
 import { extent } from "../model/raster.ts";
-import { brushAt, brushRadius, brushStrength, contours, ground, homeAsked, mapContours, painting, sunAzimuth, sunHeight, tall, viewing, welcome, type Tool } from "../model/store.ts";
+import { brushAt, brushRadius, brushStrength, contours, ground, homeAsked, mapContours, paintTarget, painting, showLakes, sunAzimuth, sunHeight, tall, viewing, welcome, type Tool } from "../model/store.ts";
 import { Button, ViewSlider } from "./parts.tsx";
 
 const TOOLS: { tool: Tool; label: string; key: string }[] = [
   { tool: "probe", label: "Probe: read the ground at a place", key: "q" },
-  { tool: "raise", label: "Raise the ground", key: "w" },
-  { tool: "lower", label: "Lower the ground", key: "e" },
-  { tool: "smooth", label: "Smooth the ground", key: "r" },
-  { tool: "level", label: "Level the ground", key: "t" },
+  { tool: "raise", label: "Raise", key: "w" },
+  { tool: "lower", label: "Lower", key: "e" },
+  { tool: "smooth", label: "Smooth", key: "r" },
+  { tool: "level", label: "Level", key: "t" },
 ];
 
 /** Tools of which the server knows what to do. */
 function offered(): typeof TOOLS {
-  return welcome.value?.can?.includes("paint") ? TOOLS : TOOLS.filter((t) => t.tool === "probe");
+  const can = welcome.value?.can ?? [];
+  if (paintTarget.value) return TOOLS.filter((t) => t.tool !== "smooth");
+  return can.includes("paint") ? TOOLS : TOOLS.filter((t) => t.tool === "probe");
 }
 
 const lightOpen = signal(false);
 
 export function Tools() {
   const tool = painting.value;
+  const target = paintTarget.value;
   return (
     <div class="tools" role="toolbar" aria-label="Tools" aria-orientation="vertical">
       <Button icon="home" label="The whole land (Home)" kind="quiet" onClick={() => homeAsked.value++} />
@@ -39,18 +42,30 @@ export function Tools() {
               <ViewSlider label="Sun height" value={sunHeight.value} low={4} high={80} step={1} text={`${sunHeight.value}°`} onInput={(v) => (sunHeight.value = v)} />
               <ViewSlider label="Heights" value={Math.log2(tall.value)} low={-1} high={4} step={0.25} text={`× ${Number(tall.value.toFixed(2))}`} onInput={(v) => (tall.value = 2 ** v)} />
               <label class="check"><input type="checkbox" class="switch" checked={viewing.value === "map" ? mapContours.value : contours.value} onChange={(e) => setContours(e.currentTarget.checked)} /> Contours</label>
+              <label class="check"><input type="checkbox" class="switch" checked={showLakes.value} onChange={(e) => (showLakes.value = e.currentTarget.checked)} /> Lakes in hollows</label>
             </>
           )}
           {tool && tool !== "probe" && (
             <>
+              {target && (
+                <p class="painting">
+                  <span>Painting <b>{target.label}</b></span>
+                  <Button label="Ground instead" text kind="quiet" onClick={() => (paintTarget.value = null)} />
+                </p>
+              )}
               <ViewSlider label="Radius" value={brushRadius.value} low={0.005} high={0.3} step={0.005} text={lengthText(radius())} onInput={(v) => (brushRadius.value = v)} />
-              <ViewSlider label="Strength" value={brushStrength.value} low={0.02} high={1} step={0.02} text={tool === "smooth" ? `${Math.round(brushStrength.value * 100)} %` : lengthText(strength())} onInput={(v) => (brushStrength.value = v)} />
+              <ViewSlider label="Strength" value={brushStrength.value} low={0.02} high={1} step={0.02} text={strengthText(tool)} onInput={(v) => (brushStrength.value = v)} />
             </>
           )}
         </div>
       )}
     </div>
   );
+}
+
+function strengthText(tool: Tool): string {
+  if (paintTarget.value) return `${numberText(strength(), 2)} ${paintTarget.value.unit}`;
+  return tool === "smooth" ? `${Math.round(brushStrength.value * 100)} %` : lengthText(strength());
 }
 
 function setContours(on: boolean): void {
@@ -60,6 +75,7 @@ function setContours(on: boolean): void {
 
 function choose(tool: Tool | null): void {
   painting.value = tool;
+  if (!tool || tool === "probe") paintTarget.value = null;
   if (tool && !brushAt.value) brushAt.value = [0, 0];
 }
 

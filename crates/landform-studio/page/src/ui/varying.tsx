@@ -4,6 +4,7 @@ import { parseQuantity } from "../form/quantity.ts";
 import { setValue } from "../model/actions.ts";
 import type { Held } from "./field_props.ts";
 import { Inline } from "./inline.tsx";
+import { PaintButton } from "./paint_button.tsx";
 import { Button } from "./parts.tsx";
 
 export function Varying(props: Held<Value | undefined>) {
@@ -14,14 +15,16 @@ export function Varying(props: Held<Value | undefined>) {
     <div class="varying">
       <div class="varying-head">
         <span class="dim">{table ? kindOf(table) : "varies"}</span>
+        <PaintButton field={field} place={place} held={held} disabled={disabled} />
         {field.kind.is === "quantity" && <Button label="Make it one number" text kind="quiet" disabled={disabled} onClick={() => setValue(place, plain, false)} />}
       </div>
-      {table && typeof table["formula"] === "string" ? <Formula {...props} table={table} /> : <Inline {...props} />}
+      {table && Array.isArray(table["strokes"]) ? <Strokes {...props} table={table} /> : table && typeof table["formula"] === "string" ? <Formula {...props} table={table} /> : <Inline {...props} />}
     </div>
   );
 }
 
 function kindOf(table: Table): string {
+  if (Array.isArray(table["strokes"])) return `painted: ${table["strokes"].length} ${table["strokes"].length === 1 ? "stroke" : "strokes"}`;
   if ("formula" in table) return "by a formula of place";
   if ("times" in table) return "changes in time";
   if ("amplitude" in table) return "rises and falls in time";
@@ -29,6 +32,20 @@ function kindOf(table: Table): string {
   if ("feature" in table) return "near what lies in the land";
   if ("field" in table) return "by a field of the land";
   return "varies";
+}
+
+/** What was there before the first stroke; the strokes themselves are painted, not typed. */
+function Strokes({ id, place, table, disabled }: Held<Value | undefined> & { table: Table }) {
+  const base = table["base"];
+  return (
+    <label class="view-slider strokes">
+      <span>on a base of</span>
+      <input
+        id={id} class="field number" value={base === undefined || base === null ? "" : typeof base === "object" ? "varies" : String(base)} disabled={disabled || typeof base === "object"} spellcheck={false}
+        onChange={(e) => parseQuantity(e.currentTarget.value) && setValue({ ...place, key: [...place.key, "base"] }, e.currentTarget.value.trim(), false)}
+      />
+    </label>
+  );
 }
 
 function Formula({ id, place, table, disabled }: Held<Value | undefined> & { table: Table }) {

@@ -1,13 +1,12 @@
 // The middle: the land in three dimensions, the map, or both.
 import { useEffect, useRef } from "preact/hooks";
-import { colourField, comparing, fields, flickered, hasDunes, keptA, keptB, land, look, recipe, run, shownLook, split, viewing, pastAt, type Viewing } from "../model/store.ts";
-import { keep, lookAfter } from "../model/actions.ts";
+import { colourField, comparing, fields, flickered, hasDunes, keptA, keptB, land, look, lookedAt, recipe, run, shownLook, split, viewing, pastAt, type Viewing } from "../model/store.ts";
+import { keep, showWanted } from "../model/actions.ts";
 import { LandPane } from "./land_pane.tsx";
 import { Legend } from "./legend.tsx";
 import { MapPane } from "./map_pane.tsx";
 import { Readout } from "./readout.tsx";
 import { Button, Segments } from "./parts.tsx";
-import { lookedAt } from "./steps.tsx";
 import { Tools } from "./tools.tsx";
 import { words } from "./words.ts";
 
@@ -69,7 +68,7 @@ function Colours() {
     if (v.startsWith("field:")) {
       colourField.value = v.slice(6);
       look.value = "field";
-      void lookAfter(lookedAt.value);
+      showWanted();
     } else look.value = v as typeof look.value;
   };
   return (
