@@ -244,6 +244,27 @@ await part("access (axe)", async () => {
   assert.equal(violations.filter((v) => v.impact === "serious" || v.impact === "critical").length, 0);
 });
 
+if (process.env.EVENTS) await part("latency of a drag", async () => {
+  await by("step-1-1").click();
+  const box = await by(`slider-${key}`).boundingBox();
+  const at = (i) => [box.x + box.width * (0.35 + 0.15 * Math.sin(i / 9)), box.y + box.height / 2];
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  const start = Date.now();
+  for (let i = 1; i <= Number(process.env.EVENTS); i++) {
+    await page.mouse.move(...at(i));
+    await page.waitForTimeout(Math.max(0, start + 50 * i - Date.now()));
+  }
+  const took = Date.now() - start;
+  await page.mouse.up();
+  await by("log-button").click();
+  const lines = await page.locator(".log-lines .latency").allTextContents();
+  console.log(`     ${process.env.EVENTS} events in ${took} ms; ${lines.at(-1)}`);
+  await shot("24_latency");
+  await by("log-button").click();
+  await settled();
+});
+
 const lag = await page.evaluate(() => [...document.querySelectorAll(".log-strip span")].map((s) => s.textContent).find((t) => /to picture/.test(t ?? "")));
 console.log(`latency: ${lag ?? "not measured"}`);
 for (const t of troubles) console.log(`console: ${t}`);

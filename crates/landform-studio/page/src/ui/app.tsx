@@ -1,4 +1,4 @@
-import { hasRecipe, connected, dialog, land, recipe, said, tab } from "../model/store.ts";
+import { hasRecipe, connected, dialog, land, recipe, said, tab, welcome } from "../model/store.ts";
 import { Contact } from "./contact.tsx";
 import { Export } from "./export.tsx";
 import { Gallery, Welcome } from "./gallery.tsx";
@@ -26,6 +26,9 @@ export function App() {
           <SidePanel />
           <TimeBar />
         </>
+      )}
+      {!connected.value && welcome.value && (
+        <p class="lost" role="alert">The studio does not answer. The page tries again; if the program has ended, start it and open the address that it prints.</p>
       )}
       <LogPanel />
       <div class="said" role="status" aria-live="polite">{said.value}</div>

@@ -10,7 +10,7 @@ export function PaintButton({ field, place, held, disabled }: { field: Field; pl
   if (!field.varying || field.kind.is !== "quantity" || place.stage === null || !welcome.value?.can?.includes("stroke")) return null;
   const active = JSON.stringify(paintTarget.value?.place) === JSON.stringify(place);
   return (
-    <Button icon="raise" label={`Paint ${words(field.key).toLowerCase()} onto the land`} kind="quiet" pressed={active} disabled={disabled} test={`paint-${field.key}`} onClick={() => begin(field, place, held, active)} />
+    <Button icon="brush" label={`Paint ${words(field.key).toLowerCase()} onto the land`} kind="quiet" pressed={active} disabled={disabled} test={`paint-${field.key}`} onClick={() => begin(field, place, held, active)} />
   );
 }
 

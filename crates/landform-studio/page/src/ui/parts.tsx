@@ -38,18 +38,24 @@ interface DialogProps {
 
 export function Modal({ title, wide, test, onClose, children }: DialogProps) {
   const box = useRef<HTMLDialogElement>(null);
+  const gone = useRef(false);
   useEffect(() => {
     const dialog = box.current!;
     if (!dialog.open) dialog.showModal();
+    // Closing gives the focus back to what opened it.
+    return () => {
+      gone.current = true;
+      dialog.close();
+    };
   }, []);
   return (
     <dialog
       ref={box} class={wide ? "modal wide" : "modal"} aria-label={title} data-testid={test}
-      onClose={onClose} onClick={(e) => e.target === box.current && onClose()}
+      onClose={() => gone.current || onClose()} onClick={(e) => e.target === box.current && box.current?.close()}
     >
       <header class="modal-head">
         <h2>{title}</h2>
-        <Button icon="close" label="Close" kind="quiet" onClick={onClose} />
+        <Button icon="close" label="Close" kind="quiet" onClick={() => box.current!.close()} />
       </header>
       <div class="modal-body">{children}</div>
     </dialog>

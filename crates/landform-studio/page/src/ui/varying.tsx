@@ -10,7 +10,7 @@ import { Button } from "./parts.tsx";
 export function Varying(props: Held<Value | undefined>) {
   const { field, place, held, disabled } = props;
   const table = held && typeof held === "object" && !Array.isArray(held) ? (held as Table) : null;
-  const plain = parseQuantity(field.default) ? field.default! : field.kind.is === "quantity" ? field.kind.example : null;
+  const plain = table && parseQuantity(table["base"]) ? table["base"]! : parseQuantity(field.default) ? field.default! : field.kind.is === "quantity" ? field.kind.example : null;
   return (
     <div class="varying">
       <div class="varying-head">
