@@ -2,6 +2,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { eye, FIELD_OF_VIEW, homeView, LEAST_PITCH, MOST_PITCH, panned, turned, zoomed } from "../src/land/camera.ts";
 import { pick } from "../src/land/pick.ts";
+import { materialTexels } from "../src/land/state.ts";
+import { covers } from "../src/model/materials.ts";
 import { contourInterval, contourLine } from "../src/map/contours.ts";
 import { partOf, rampTable, scaleOf } from "../src/model/ramps.ts";
 import { range, sample, slopeAt, slopeRaster, toCell, type Raster } from "../src/model/raster.ts";
@@ -99,4 +101,14 @@ test("ramps run one way in lightness, scales hold their ends", () => {
   assert.equal(partOf(1e8, area), 1);
   assert.equal(partOf(0, area), 0);
   assert.equal(scaleOf("erosion_rate", -2, 1).low, -2);
+});
+
+test("materials have their colours, also where whole numbers came nearly whole or are not known", () => {
+  const ground = ramp(1, 4);
+  const raster = { ...ground, z: Float32Array.from([0, 3.9996, 11, 200]) };
+  const texels = materialTexels({ ground, depth: null, drainage: null, field: null, material: { raster, covers: covers(["ash"]) } })!;
+  assert.deepEqual([texels[3], texels[7], texels[11], texels[15]], [0, 128, 255, 128]);
+  assert.deepEqual([...texels.slice(4, 7)], [0xc4, 0x8a, 0x5a]);
+  assert.ok(texels.slice(12, 15).every((v) => v > 0));
+  assert.equal(covers(["ash", "sand"]).length, 14);
 });

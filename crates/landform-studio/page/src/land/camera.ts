@@ -19,15 +19,19 @@ export function homeView(width: number, height: number, relief: number, aspect: 
   const view: Orbit = { target: [0, 0, relief * 0.3], heading: -0.4, pitch: 0.62, distance: 1 };
   const up = Math.tan(FIELD_OF_VIEW / 2) * 0.94, across = up * Math.max(aspect, 0.1);
   const corners = [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].flatMap((y) => [-0.06 * Math.max(width, height), relief].map((z) => [x * width, y * height, z] as const)));
-  // Twice: where the land's middle stands in the picture depends on the distance.
-  for (let k = 0; k < 4; k++) {
+  // Again and again: where the land's middle stands in the picture depends on the distance.
+  for (let k = 0; k < 5; k++) {
     const seen = corners.map((corner) => fromCamera(view, corner));
     view.distance = Math.max(...seen.map(([x, y, z]) => Math.max(Math.abs(x) / across, Math.abs(y) / up) - z));
-    const heights = seen.map(([, y, z]) => y / (view.distance + z));
-    const middle = ((Math.max(...heights) + Math.min(...heights)) / 2) * view.distance;
-    view.target[2] += middle * Math.cos(view.pitch);
-    view.target[0] += middle * Math.sin(view.pitch) * Math.sin(view.heading);
-    view.target[1] += middle * Math.sin(view.pitch) * Math.cos(view.heading);
+    const middle = (axis: 0 | 1) => {
+      const parts = seen.map((p) => p[axis] / (view.distance + p[2]));
+      return ((Math.max(...parts) + Math.min(...parts)) / 2) * view.distance;
+    };
+    const [aside, above] = [middle(0), middle(1)];
+    const [sin, cos] = [Math.sin(view.heading), Math.cos(view.heading)];
+    view.target[0] += aside * cos + above * Math.sin(view.pitch) * sin;
+    view.target[1] += -aside * sin + above * Math.sin(view.pitch) * cos;
+    view.target[2] += above * Math.cos(view.pitch);
   }
   return view;
 }

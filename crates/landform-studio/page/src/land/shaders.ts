@@ -158,6 +158,9 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
     vec3 wood = mix(vec3(0.058, 0.076, 0.030), vec3(0.080, 0.094, 0.038), spread);
     vec3 grass = mix(vec3(0.098, 0.108, 0.045), vec3(0.150, 0.146, 0.072), spread);
     vec3 heath = vec3(0.225, 0.195, 0.115);
+    float wide = noise(vPlace.xy / (uSize.x / 7.0)) * 0.65 + noise(vPlace.yx / (uSize.x / 19.0) + 3.7) * 0.35;
+    grass = mix(grass, heath, 0.5 * smoothstep(0.50, 0.82, wide));
+    wood = mix(wood, grass, 0.6 * smoothstep(0.35, 0.65, wide));
     vec3 low = mix(wood, grass, smoothstep(-0.20, 0.30, part + 0.32 * mottle - 0.3 * (1.0 - open) + 0.06));
     low = mix(low, heath, smoothstep(0.26, 0.60, part + 0.30 * mottle));
     float bare = smoothstep(0.48, 0.82, slope + 0.25 * mottle + 0.30 * smoothstep(0.5, 0.95, part));
@@ -263,6 +266,7 @@ export const SKY_FRAGMENT = /* glsl */ `
     float up = vPart.y - uHorizon;
     vec3 low = vec3(0.052, 0.059, 0.068), mid = vec3(0.105, 0.125, 0.150), high = vec3(0.045, 0.055, 0.072);
     vec3 c = up > 0.0 ? mix(mid, high, smoothstep(0.0, 0.75, up)) : mix(mid, low, smoothstep(0.0, 0.35, -up));
+    c += vec3(0.016, 0.019, 0.024) * (1.0 - smoothstep(0.0, 0.75, length((vPart - 0.5) * vec2(1.0, 1.2))));
     float grainy = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453);
     colour = vec4(c + (grainy - 0.5) / 255.0, 1.0);
   }

@@ -33,7 +33,8 @@ export function materialTexels({ ground, material }: LandState): Uint8Array | nu
   if (!material || material.raster.z.length !== ground.z.length) return null;
   const out = new Uint8Array(ground.z.length * 4);
   for (let i = 0; i < ground.z.length; i++) {
-    const number = material.raster.z[i]!;
+    // Frames may come in steps, so that whole numbers come nearly whole.
+    const number = Math.round(material.raster.z[i]!);
     const { colour, shows } = Number.isNaN(number) ? otherCover(0) : (material.covers[number] ?? otherCover(number));
     out[4 * i] = colour[0];
     out[4 * i + 1] = colour[1];

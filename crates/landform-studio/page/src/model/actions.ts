@@ -64,7 +64,7 @@ function hear(told: Told): void {
       case "recipe": hearRecipe(told); break;
       case "state": hearState(told); break;
       case "charts": store.charts.value = told; break;
-      case "fields": store.fields.value = told.names; showWanted(); break;
+      case "fields": store.fields.value = told.names; break;
       case "log": store.note(told.kind, told.text); break;
       case "latency": store.latency.value = { server: told.sent - told.received, whole: store.latency.value?.whole ?? NaN }; break;
       case "built":
@@ -181,11 +181,10 @@ function acknowledge(): void {
   for (const frame of frames) void session.ask({ do: "ack", frame });
 }
 
-/** Layers that the views need. */
+/** Layers that the views need; those that the ground does not have are not sent. */
 export function wanted(): string[] {
-  const names = new Set(["elevation", "drainage_area", "lake_depth"]);
+  const names = new Set(["elevation", "drainage_area", "lake_depth", "surface_material"]);
   const field = store.colourField.value;
-  if (store.fields.value.some((f) => f.name === "surface_material")) names.add("surface_material");
   if (store.look.value === "field" && field !== "slope") names.add(field);
   return [...names];
 }
