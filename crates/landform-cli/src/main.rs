@@ -106,7 +106,7 @@ enum Command {
     Convert(Work<convert::Args>),
     /// Shows or clears the terrains that runs have kept in an output folder.
     Cache(cache::Args),
-    /// Opens a studio in the browser: the landscape in three dimensions while its recipe is changed.
+    /// Opens a studio in the browser: the landscape, in three dimensions, while its recipe changes.
     #[cfg(feature = "studio")]
     Studio(studio::Args),
     /// Prints completions for a shell.

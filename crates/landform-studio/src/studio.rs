@@ -4,16 +4,16 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use landform::io::memory;
-use landform::recipe::{Override, Recipe};
+use landform::recipe::{Level, Override, Recipe};
 use landform::{Error, Result};
 use serde_json::{Map, Value as Json, json};
 
 use crate::hub::{Hub, Page, Slot, lock};
-use crate::jobs::{Background, Charts, Order, Task, Work, Worker, halved};
+use crate::jobs::{Background, Charts, Order, Piece, Task, Tool, Work, Worker, halved};
 use crate::protocol::{Numbered, Request};
 use crate::root::{Root, random_word};
 use crate::session::{Session, refusal, verb, view_of};
-use crate::text;
+use crate::text::{self, Key};
 
 /// Most memory for ground of earlier runs, bytes.
 const MOST_KEPT: u64 = 1 << 30;
@@ -21,6 +21,26 @@ const MOST_KEPT: u64 = 1 << 30;
 const MOST_SEEDS: usize = 32;
 /// Nodes of a small picture's ground are about so many.
 const SMALL_NODES: u64 = 128 * 128;
+
+/// How a recipe is to be run.
+#[derive(Clone, Copy, Default)]
+struct Way {
+    /// The one level; from coarse to fine if none.
+    level: Option<Level>,
+    dragging: bool,
+    /// When the change was made, by the page's clock, and when it came, ms.
+    stamp: Option<(f64, f64)>,
+    /// Whether every step is shown.
+    watched: bool,
+    /// The stage whose processes go on from where they are.
+    goes_on: Option<usize>,
+}
+
+/// Whether a value is one of a process and not of its clock or place.
+fn is_of_a_process(process: Option<usize>, key: &[Key]) -> bool {
+    let others = ["clock", "label", "from", "with", "watch", "use", "process"];
+    process.is_some() || !matches!(key.first(), Some(Key::Name(name)) if others.contains(&name.as_str()))
+}
 
 /// A session with its pages and its threads.
 pub(crate) struct Studio {
@@ -100,7 +120,8 @@ impl Studio {
             self.hub.tell(Slot::Recipe, &view_of(&session));
         }
         self.worker.stop();
-        self.preview(None, false, None, false);
+        self.worker.forget();
+        self.preview(None);
         Ok(())
     }
 
@@ -129,7 +150,7 @@ impl Studio {
                 }
                 page.answer(json!({ "tell": "welcome", "protocol": 1, "version": env!("CARGO_PKG_VERSION"),
                     "session": self.hub.session, "root": self.root.folder().display().to_string(),
-                    "output": self.output.display().to_string() }))
+                    "output": self.output.display().to_string(), "can": ["paint", "stroke"] }))
                     .await;
                 self.hub.welcome(page);
             }
@@ -139,7 +160,7 @@ impl Studio {
                 let level = if level == "build" { "1".into() } else { level };
                 let level = if level == "auto" { None } else { Some(level.parse()?) };
                 self.check_recipe()?;
-                self.preview(level, false, None, level.is_some());
+                self.run(Way { level, watched: level.is_some(), ..Way::default() });
             }
             Request::Pause => {
                 self.worker.control.pause();
@@ -168,6 +189,9 @@ impl Studio {
                 if (wants || moved) && lock(&self.session).reading.recipe.is_some() {
                     self.show_again(moved);
                 }
+            }
+            Request::Paint { field, tool, radius, strength, points } => {
+                self.paint(field.as_deref(), &tool, Piece { tool: Tool::Raise, radius, strength, points })?;
             }
             Request::Build => {
                 let (recipe, steps) = self.check_recipe()?;
@@ -208,9 +232,15 @@ impl Studio {
             self.hub.tell(Slot::Recipe, &view_of(&session));
         }
         drop(session);
+        let process = match edit {
+            Request::Set { stage: Some(stage), process, key, .. } if is_of_a_process(*process, key) => {
+                lock(&self.session).steps().iter().position(|step| step == stage)
+            }
+            _ => None,
+        };
         // The end of a drag asks for the finer levels, though no value changes any more.
         if is_right && (changed || (!dragging && matches!(edit, Request::Set { .. }))) {
-            self.preview(None, dragging, stamp, false);
+            self.run(Way { dragging, stamp, goes_on: process.filter(|_| dragging), ..Way::default() });
         }
         Ok(json!({ "revision": revision }))
     }
@@ -227,21 +257,56 @@ impl Studio {
         Ok((recipe, session.steps()))
     }
 
-    /// Asks for a preview.
-    fn preview(
-        &self,
-        level: Option<landform::recipe::Level>,
-        dragging: bool,
-        stamp: Option<(f64, f64)>,
-        watched: bool,
-    ) {
-        // Only a run that is looked at from step to step is held.
-        self.worker.control.play(None);
+    /// Asks for a run that shows what it comes to.
+    fn preview(&self, level: Option<Level>) {
+        self.run(Way { level, ..Way::default() });
+    }
+
+    /// Asks for a run.
+    fn run(&self, way: Way) {
+        if !way.watched {
+            // Only a run that is looked at from step to step is held.
+            self.worker.control.play(None);
+        }
         let session = lock(&self.session);
         let Some(recipe) = session.reading.recipe.clone() else { return };
         let nodes = session.reading.planned.iter().map(|stage| stage.0).max().unwrap_or(0);
         let (steps, shown, revision) = (session.steps(), session.shown_on(), session.revision);
-        self.worker.ask(Order { recipe, revision, steps, nodes, level, dragging, stamp, shown, watched });
+        let Way { level, dragging, stamp, watched, goes_on } = way;
+        self.worker.ask(Order { recipe, revision, steps, nodes, level, dragging, stamp, shown, watched, goes_on });
+    }
+
+    /// Paints into the model that runs or is held; where none is, the last process goes on from its
+    /// end.
+    fn paint(&self, field: Option<&str>, tool: &str, piece: Piece) -> Result<()> {
+        if let Some(field) = field.filter(|field| *field != "elevation") {
+            return Err(Error::parameter("field", format!("`{field}`"), "`elevation`, the one that is painted so far"));
+        }
+        let tool = match tool {
+            "raise" => Tool::Raise,
+            "lower" => Tool::Lower,
+            "smooth" => Tool::Smooth,
+            "level" => Tool::Level,
+            other => return Err(Error::parameter("tool", format!("`{other}`"), "raise, lower, smooth or level")),
+        };
+        let piece = Piece { tool, ..piece };
+        if self.worker.is_watched() {
+            self.worker.easel.put(piece)?;
+            self.worker.control.nudge();
+            return Ok(());
+        }
+        let (recipe, _) = self.check_recipe()?;
+        let level = self.worker.board.get().level.parse().ok();
+        let processes = recipe.listed().iter().rposition(|stage| stage.clock.is_some());
+        let last = processes.filter(|&stage| level.is_some_and(|level| self.worker.can_go_on(level, stage)));
+        let Some(last) = last else {
+            let hint = Some("press Play or Step, and paint while it runs or is held".into());
+            return Err(Error::Recipe { at: None, what: "no process runs that could be painted on".into(), hint });
+        };
+        self.worker.easel.put(piece)?;
+        self.worker.control.play(None);
+        self.run(Way { level, watched: true, goes_on: Some(last), ..Way::default() });
+        Ok(())
     }
 
     /// Runs with every step shown, unless something runs.
@@ -249,7 +314,7 @@ impl Studio {
         if !self.worker.is_watched() {
             self.check_recipe()?;
             let level = self.worker.board.get().level.parse().ok();
-            self.preview(level, false, None, true);
+            self.run(Way { level, watched: true, ..Way::default() });
         }
         Ok(())
     }
@@ -257,10 +322,10 @@ impl Studio {
     /// Shows the ground anew, from the cache as far as it goes.
     fn show_again(&self, moved: bool) {
         if moved {
-            self.preview(None, false, None, false);
+            self.preview(None);
         } else if !self.worker.is_busy() {
             let level = self.worker.board.get().level.parse().ok();
-            self.preview(level, false, None, false);
+            self.preview(level);
         }
     }
 

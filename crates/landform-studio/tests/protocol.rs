@@ -379,6 +379,85 @@ fn a_run_is_held_stepped_and_goes_on() {
 }
 
 #[test]
+fn a_dragged_value_settles_and_then_runs_from_the_start() {
+    let server = Running::new(Some(RISING));
+    run(async {
+        let mut page = server.page().await;
+        page.at_rest("1").await;
+        page.frames.clear();
+        for k in 1..=10 {
+            let value = format!("{} mm/yr", 1.0 + 0.1 * f64::from(k));
+            let set = json!({ "do": "set", "stage": 1, "process": 0, "key": ["rate"], "value": value, "dragging": true, "stamp": k });
+            page.ask(set).await;
+            page.had(|t| t["tell"] == "latency" && t["stamp"] == f64::from(k)).await;
+        }
+        assert!(page.tells.iter().any(|t| t["tell"] == "state" && t["settling"] == true));
+        // The process went on: its time is beyond the end.
+        let end = 2e5 * 31_557_600.0;
+        assert!(page.frames.last().unwrap().0["time"].as_f64().unwrap() > end + 1.0);
+        let tells = page.tells.len();
+        page.ask(json!({ "do": "set", "stage": 1, "process": 0, "key": ["rate"], "value": "2 mm/yr", "stamp": 99 }))
+            .await;
+        page.had(|t| t["tell"] == "latency" && t["stamp"] == 99.0).await;
+        page.pass(Duration::from_millis(300)).await;
+        assert_eq!(page.frames.last().unwrap().0["time"].as_f64().unwrap(), end);
+        assert!(page.tells[tells..].iter().any(|t| t["tell"] == "charts"), "measured after the drag alone");
+    });
+}
+
+#[test]
+fn a_held_model_is_painted_and_a_stroke_lifts_the_land() {
+    let server = Running::new(Some(RISING));
+    run(async {
+        let mut page = server.page().await;
+        page.at_rest("1").await;
+        page.ask(json!({ "do": "pause" })).await;
+        page.ask(json!({ "do": "step" })).await;
+        page.had(|t| t["tell"] == "state" && t["paused"] == true && t["running"] == true).await;
+        page.pass(Duration::from_millis(200)).await;
+        let before = page.frames.last().unwrap().0["max"].as_f64().unwrap();
+        let paint = |tool: &str| {
+            json!({ "do": "paint", "field": "elevation", "tool": tool, "radius": 500.0, "strength": 4000.0,
+            "points": [[1000.0, 1500.0, 1.0, 0.0], [2000.0, 1500.0, 1.0, 0.5]] })
+        };
+        assert_eq!(page.ask(paint("raise")).await["tell"], "done");
+        page.pass(Duration::from_millis(300)).await;
+        let raised = page.frames.last().unwrap().0["max"].as_f64().unwrap();
+        assert!(raised > before + 1_500.0, "{before} {raised}");
+        for tool in ["smooth", "level", "lower"] {
+            assert_eq!(page.ask(paint(tool)).await["tell"], "done");
+        }
+        assert_eq!(page.ask(paint("melt")).await["tell"], "refused");
+        page.pass(Duration::from_millis(300)).await;
+        assert!(page.frames.last().unwrap().0["max"].as_f64().unwrap() < raised - 500.0);
+        page.ask(json!({ "do": "play" })).await;
+        page.until(|t| t["tell"] == "state" && t["running"] == false).await;
+        page.pass(Duration::from_millis(300)).await;
+        // What was painted is not in the text: a run from the start has it not.
+        page.frames.clear();
+        page.ask(json!({ "do": "run", "level": "auto" })).await;
+        page.at_rest("1").await;
+        let again = page.frames.last().unwrap().0["max"].as_f64().unwrap();
+        let stroke = json!({ "do": "stroke", "stage": 1, "process": 0, "key": ["rate"], "tool": "raise", "radius": 600, "strength": 5,
+            "points": [[500.0, 1500.0, 1.0, 0.0], [2500.0, 1500.0, 1.0, 1.0]] });
+        page.frames.clear();
+        assert_eq!(page.ask(stroke).await["tell"], "done");
+        page.at_rest("1").await;
+        let lifted = page.frames.last().unwrap().0["max"].as_f64().unwrap();
+        assert!(lifted > again + 300.0, "{again} {lifted}");
+        page.frames.clear();
+        page.ask(json!({ "do": "undo" })).await;
+        page.at_rest("1").await;
+        assert_eq!(page.frames.last().unwrap().0["max"].as_f64().unwrap(), again);
+        for bad in ["[]", "[[0]]", "[[0,1e300]]", "[[0,0,7]]"] {
+            let points: Json = serde_json::from_str(bad).unwrap();
+            let paint = json!({ "do": "paint", "tool": "raise", "radius": 1.0, "strength": 1.0, "points": points });
+            assert_eq!(page.ask(paint).await["tell"], "refused", "{bad}");
+        }
+    });
+}
+
+#[test]
 fn a_page_that_never_acknowledges_gets_two_frames_and_then_the_newest() {
     let server = Running::new(Some(RISING));
     run(async {

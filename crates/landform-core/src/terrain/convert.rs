@@ -133,6 +133,15 @@ pub struct ValuesRaster {
 impl ValuesRaster {
     /// Cells of a size (m) over a mesh.
     ///
+    /// ```
+    /// # use landform_core::grid::Edges;
+    /// # use landform_core::terrain::{Mesh, NodeSurface, ValuesRaster};
+    /// # let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+    /// # let mesh = Mesh::delaunay(&sites, Edges::default())?;
+    /// assert!(ValuesRaster::over(&mesh, 0.0).is_err());
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Where [`Grid::covering`] fails.
     pub fn over(mesh: &Mesh, cell_size: f64) -> Result<Self> {
@@ -142,11 +151,30 @@ impl ValuesRaster {
     }
 
     /// The cells.
+    ///
+    /// ```
+    /// # use landform_core::grid::Edges;
+    /// # use landform_core::terrain::{Mesh, NodeSurface, ValuesRaster};
+    /// # let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+    /// # let mesh = Mesh::delaunay(&sites, Edges::default())?;
+    /// assert_eq!(ValuesRaster::over(&mesh, 5.0)?.grid().len(), 9);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn grid(&self) -> &Grid {
         &self.grid
     }
 
     /// Values of the cells, linear between those of the nodes; NaN outside.
+    ///
+    /// ```
+    /// # use landform_core::grid::Edges;
+    /// # use landform_core::terrain::{Mesh, NodeSurface, ValuesRaster};
+    /// # let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+    /// # let mesh = Mesh::delaunay(&sites, Edges::default())?;
+    /// let flat = ValuesRaster::over(&mesh, 5.0)?.of(&mesh, mesh.elevation());
+    /// assert!(flat.iter().all(|&z| z == 0.0));
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
     pub fn of(&self, mesh: &Mesh, values: &[f64]) -> Vec<f64> {
         linear(mesh, &self.grid, &self.triangle, values)
     }

@@ -26,6 +26,8 @@ struct Hold {
     steps: u64,
     /// Least time from step to step.
     pace: Duration,
+    /// A held run has something to do before it goes on holding.
+    nudged: bool,
 }
 
 impl Control {
@@ -36,7 +38,7 @@ impl Control {
 
     pub(crate) fn play(&self, pace: Option<f64>) {
         let mut hold = lock(&self.hold);
-        *hold = Hold { paused: false, steps: 0, pace: hold.pace };
+        (hold.paused, hold.steps) = (false, 0);
         if let Some(pace) = pace.filter(|pace| pace.is_finite()) {
             hold.pace = Duration::from_secs_f64(pace.clamp(0.0, MOST_PACE) / 1e3);
         }
@@ -51,33 +53,47 @@ impl Control {
         self.wake.notify_all();
     }
 
+    /// Lets a held run look again.
+    pub(crate) fn nudge(&self) {
+        lock(&self.hold).nudged = true;
+        self.wake.notify_all();
+    }
+
     pub(crate) fn is_paused(&self) -> bool {
         lock(&self.hold).paused
     }
 
-    /// Whether a run holds at the next look.
+    /// Whether a run holds now.
     pub(crate) fn holds(&self) -> bool {
         let hold = lock(&self.hold);
-        hold.paused && hold.steps <= 1
+        hold.paused && hold.steps == 0
     }
 
-    /// Returns when the next step may be taken, or the run is cancelled. A step was taken at `last`.
-    pub(crate) fn wait(&self, last: Instant, cancel: &CancelToken) {
-        if cancel.is_cancelled() {
-            return;
+    /// The step that was just taken is one of those allowed.
+    pub(crate) fn count(&self, cancel: &CancelToken) {
+        if !cancel.is_cancelled() {
+            let mut hold = lock(&self.hold);
+            hold.steps = hold.steps.saturating_sub(1);
         }
+    }
+
+    /// Returns when the next step may be taken, or the run is cancelled. The last step was taken at
+    /// `paced`, if there is to be a pace. False if there is something to do meanwhile.
+    pub(crate) fn wait(&self, paced: Option<Instant>, cancel: &CancelToken) -> bool {
         let mut hold = lock(&self.hold);
-        // The step that was just taken is one of those allowed.
-        hold.steps = hold.steps.saturating_sub(1);
         while !cancel.is_cancelled() {
-            let rest = hold.pace.saturating_sub(last.elapsed());
+            if std::mem::take(&mut hold.nudged) {
+                return false;
+            }
+            let rest = paced.map_or(Duration::ZERO, |last| hold.pace.saturating_sub(last.elapsed()));
             let held = hold.paused && hold.steps == 0;
             if !held && rest.is_zero() {
-                return;
+                return true;
             }
             let nap = if held { NAP } else { rest.min(NAP) };
             hold = self.wake.wait_timeout(hold, nap).unwrap_or_else(std::sync::PoisonError::into_inner).0;
         }
+        true
     }
 }
 
@@ -89,15 +105,20 @@ mod tests {
     fn a_held_run_can_be_cancelled_and_stepped() {
         let control = Control::default();
         let cancel = CancelToken::default();
-        control.wait(Instant::now(), &cancel);
+        assert!(control.wait(None, &cancel));
         control.step();
-        assert!(control.is_paused() && control.holds());
+        assert!(control.is_paused() && !control.holds());
+        control.count(&cancel);
+        assert!(control.holds());
         std::thread::scope(|scope| {
-            let waits = scope.spawn(|| control.wait(Instant::now(), &cancel));
+            let waits = scope.spawn(|| control.wait(None, &cancel));
             std::thread::sleep(Duration::from_millis(30));
             assert!(!waits.is_finished());
+            control.nudge();
+            assert!(!waits.join().unwrap());
+            let waits = scope.spawn(|| control.wait(Some(Instant::now()), &cancel));
             cancel.cancel();
-            waits.join().unwrap();
+            assert!(waits.join().unwrap());
         });
         control.play(Some(f64::NAN));
         assert!(!control.is_paused());

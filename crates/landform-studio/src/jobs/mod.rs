@@ -5,6 +5,7 @@ mod charts;
 mod control;
 mod layers;
 mod order;
+mod paint;
 mod sea;
 mod state;
 mod watching;
@@ -13,6 +14,7 @@ mod worker;
 pub(crate) use background::{Background, Task, Work};
 pub(crate) use charts::Charts;
 pub(crate) use order::{Order, halved};
+pub(crate) use paint::{Piece, Tool};
 pub(crate) use worker::Worker;
 
 /// What a task comes to; a mistake of the program in it is an error, and the thread goes on.

@@ -25,6 +25,8 @@ pub(crate) struct Order {
     pub(crate) shown: Option<usize>,
     /// Whether every step is shown.
     pub(crate) watched: bool,
+    /// The stage whose processes, and those after it, go on from where they are.
+    pub(crate) goes_on: Option<usize>,
 }
 
 impl Order {
@@ -64,7 +66,7 @@ mod tests {
     fn order(nodes: u64, dragging: bool) -> Order {
         let recipe = Recipe::parse("[[stage]]\nuse = \"flat\"", "x", "".as_ref(), &[]).unwrap();
         let (steps, stamp, shown, watched) = Default::default();
-        Order { recipe, revision: 1, steps, nodes, level: None, dragging, stamp, shown, watched }
+        Order { recipe, revision: 1, steps, nodes, level: None, dragging, stamp, shown, watched, goes_on: None }
     }
 
     #[test]

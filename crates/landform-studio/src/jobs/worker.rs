@@ -8,19 +8,22 @@ use std::time::{Duration, Instant};
 use landform::core::terrain::AnyTerrain;
 use landform::core::verb::{CancelToken, Event, MemoryOutput};
 use landform::io::memory;
-use landform::recipe::{Cache, Level, Options, Outputs, Ran, Signal};
+use landform::recipe::{Cache, Level, Looker, Options, Outputs, Ran, Signal};
 use landform::{Error, Result};
 
 use super::charts::Charts;
 use super::control::Control;
 use super::layers::Rasters;
 use super::order::{Order, halvings};
+use super::paint::Easel;
 use super::state::{Board, Lap, follow};
-use super::watching::Watching;
+use super::watching::{Lefts, Watching};
 use crate::hub::{Hub, lock};
 
 /// While a value is dragged, a run that began so recently is let come to its end.
-const LET_END: Duration = Duration::from_millis(300);
+const LET_END: Duration = Duration::from_millis(1_000);
+/// While a value is held, its process goes on for so long.
+const HELD: Duration = Duration::from_secs(5);
 /// A level that takes longer is too slow for a drag, s.
 const QUICK: f64 = 0.05;
 
@@ -34,6 +37,8 @@ pub(crate) struct Worker {
     charts: Arc<Charts>,
     cache: Cache,
     rasters: Rasters,
+    lefts: Mutex<Lefts>,
+    pub(crate) easel: Easel,
     /// Seconds that the last run of each level took.
     speeds: Mutex<[Option<f64>; 7]>,
     /// Gets the seconds of the stages of a run.
@@ -72,6 +77,8 @@ impl Worker {
             charts,
             cache: Cache::in_memory(memory),
             rasters: Rasters::default(),
+            lefts: Mutex::default(),
+            easel: Easel::default(),
             speeds: Mutex::default(),
             timed: Box::new(timed),
         }
@@ -148,7 +155,8 @@ impl Worker {
     }
 
     fn preview(&self, order: &Order, cancel: &CancelToken, shown: &AtomicBool) {
-        let too_slow = |k: u32| lock(&self.speeds)[k as usize].is_some_and(|seconds| seconds > QUICK);
+        let is_kept = |k: u32| order.goes_on.is_some_and(|stage| lock(&self.lefts).contains_key(&(k, stage)));
+        let too_slow = |k: u32| !is_kept(k) && lock(&self.speeds)[k as usize].is_some_and(|seconds| seconds > QUICK);
         let levels = order.levels(too_slow);
         let mut failed = None;
         let mut was_shown = false;
@@ -160,6 +168,9 @@ impl Worker {
                 Ok(true) => {
                     was_shown = true;
                     shown.store(true, Ordering::Relaxed);
+                    if order.dragging {
+                        self.settle(order, level, cancel);
+                    }
                 }
                 Ok(false) => return,
                 // Too coarse for a stage, or too fine for the memory: another level may do.
@@ -176,6 +187,37 @@ impl Worker {
         }
     }
 
+    /// While a value is held, what it changes goes on, until something else is asked for.
+    fn settle(&self, order: &Order, level: Level, cancel: &CancelToken) {
+        let further = Order { stamp: None, recipe: order.recipe.clone(), steps: order.steps.clone(), ..*order };
+        let since = Instant::now();
+        if !self.board.get().settling {
+            return;
+        }
+        while since.elapsed() < HELD && !cancel.is_cancelled() && lock(&self.desk).next.is_none() {
+            if !self.hub.has_room() {
+                std::thread::sleep(Duration::from_millis(4));
+                continue;
+            }
+            match self.level(&further, level, cancel) {
+                Ok(true) => {}
+                _ => return,
+            }
+        }
+    }
+
+    /// Forgets what processes left.
+    pub(crate) fn forget(&self) {
+        lock(&self.lefts).clear();
+        self.easel.clear();
+        *lock(&self.speeds) = Default::default();
+    }
+
+    /// Whether processes of a stage can go on at a level from where they ended.
+    pub(crate) fn can_go_on(&self, level: Level, stage: usize) -> bool {
+        lock(&self.lefts).contains_key(&(halvings(level), stage))
+    }
+
     /// Runs one level and shows it; false if it was cancelled.
     fn level(&self, order: &Order, level: Level, cancel: &CancelToken) -> Result<bool> {
         let began = Instant::now();
@@ -188,7 +230,7 @@ impl Worker {
         self.board.set(&self.hub, |state| {
             (state.running, state.level, state.error) = (true, level.to_string(), None);
             (state.memory_bytes, state.seconds, state.seconds_left) = (bytes, 0.0, None);
-            state.paused = self.control.is_paused();
+            (state.paused, state.settling) = (order.watched && self.control.is_paused(), false);
         });
         let watching = Watching {
             hub: &self.hub,
@@ -200,6 +242,11 @@ impl Worker {
             cancel: cancel.clone(),
             sea_level: super::sea::level_of(&recipe),
             last: Mutex::new(Instant::now()),
+            easel: &self.easel,
+            halvings: halvings(level),
+            lefts: &self.lefts,
+            changed: AtomicBool::new(false),
+            began,
         };
         let lap = Lap::default();
         let progress = |signal: Signal| {
@@ -220,12 +267,17 @@ impl Worker {
             ..Options::default()
         };
         let Ran::ToTheEnd(ground, history) = recipe.run(&mut MemoryOutput::default(), &options)? else {
+            if !watching.has_changed_it() {
+                self.note_speed(level, began);
+            }
             return Ok(false);
         };
         lap.end();
         watching.show(&ground, time_of(&history), false)?;
-        lock(&self.speeds)[halvings(level) as usize] = Some(began.elapsed().as_secs_f64());
-        (self.timed)(order.revision, std::mem::take(&mut *lock(&lap.seconds)));
+        if !watching.has_changed_it() {
+            self.note_speed(level, began);
+            (self.timed)(order.revision, std::mem::take(&mut *lock(&lap.seconds)));
+        }
         self.board.set(&self.hub, |state| {
             (state.seconds, state.seconds_left) = (began.elapsed().as_secs_f64(), None);
         });
@@ -233,6 +285,10 @@ impl Worker {
             self.chart(order, level, ground, watching.sea_level);
         }
         Ok(true)
+    }
+
+    fn note_speed(&self, level: Level, began: Instant) {
+        lock(&self.speeds)[halvings(level) as usize] = Some(began.elapsed().as_secs_f64());
     }
 
     fn chart(&self, order: &Order, level: Level, ground: Arc<AnyTerrain>, sea_level: Option<f64>) {

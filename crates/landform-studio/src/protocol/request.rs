@@ -94,6 +94,27 @@ pub(crate) enum Request {
     Ack {
         frame: u64,
     },
+    /// A piece of a stroke into the model that runs or is held.
+    Paint {
+        #[serde(default)]
+        field: Option<String>,
+        tool: String,
+        radius: f64,
+        strength: f64,
+        points: Vec<Vec<f64>>,
+    },
+    /// A stroke that becomes part of a value of the text.
+    Stroke {
+        stage: usize,
+        #[serde(default)]
+        process: Option<usize>,
+        key: Vec<Key>,
+        #[serde(default)]
+        tool: Option<String>,
+        radius: Json,
+        strength: Json,
+        points: Vec<Vec<f64>>,
+    },
     Build,
     CancelBuild,
     Export {

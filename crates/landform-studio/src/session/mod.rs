@@ -4,6 +4,7 @@ mod mistake;
 mod open;
 mod reading;
 mod starter;
+mod stroke;
 mod view;
 
 use std::path::{Path, PathBuf};
@@ -90,6 +91,11 @@ impl Session {
             Request::Remove { stage, process } => text::remove(&now, *stage, *process)?,
             Request::Move { stage, to } => text::relocate(&now, *stage, *to)?,
             Request::Toggle { stage } => text::toggle(&now, *stage)?,
+            Request::Stroke { stage, process, key, tool, radius, strength, points } => {
+                let spot = Spot { stage: Some(*stage), process: *process, key: key.clone() };
+                let stroke = stroke::of(tool.as_deref(), radius, strength, points)?;
+                stroke::add(self, &spot, stroke)?
+            }
             Request::Undo | Request::Redo => {
                 let undo = matches!(request, Request::Undo);
                 if !(if undo { self.history.undo() } else { self.history.redo() }) {

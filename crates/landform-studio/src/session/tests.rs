@@ -163,3 +163,38 @@ fn a_gallery_recipe_comes_with_its_data() {
     assert_eq!(view_of(&session)["errors"], json!([]));
     assert!(session.open_gallery("nowhere").is_err());
 }
+
+#[test]
+fn a_stroke_becomes_part_of_a_value_and_is_taken_back() {
+    let (_folder, mut session) = session();
+    let stroke = |key: &str, strength: Json, points: Vec<Vec<f64>>| Request::Stroke {
+        stage: 1,
+        process: Some(0),
+        key: vec![Key::Name(key.into())],
+        tool: None,
+        radius: json!(200),
+        strength,
+        points,
+    };
+    let line = vec![vec![100.04, 500.0, 0.333_333], vec![900.0, 500.0, 1.0, 0.5]];
+    session.edit(&stroke("rate", json!(2.5), line.clone())).unwrap();
+    assert_eq!(session.reading.errors, []);
+    let points = "[[100.0, 500.0, 0.33], [900.0, 500.0, 1.0, 0.5]]";
+    let value = format!(
+        "rate = {{ strokes = [{{ tool = \"raise\", radius = \"200 m\", strength = \"2.5 mm/yr\", points = {points} }}], base = \"1 mm/yr\" }}"
+    );
+    assert!(session.history.now().contains(&value), "{}", session.history.now());
+    let once = session.history.now().clone();
+    session.edit(&stroke("rate", json!("1 mm/yr"), line.clone())).unwrap();
+    assert_eq!(session.reading.errors, []);
+    assert_eq!(session.history.now().matches("tool = ").count(), 2);
+    session.edit(&Request::Undo).unwrap();
+    assert_eq!(*session.history.now(), once);
+    session.edit(&Request::Undo).unwrap();
+    assert_eq!(&**session.history.now(), TEXT);
+    assert!(session.edit(&stroke("rat", json!(1), line.clone())).is_err());
+    assert!(session.edit(&stroke("rate", json!(1), vec![])).is_err());
+    let long = vec![vec![123_456.7, 123_456.7, 0.25, 12.34]; 2_000];
+    session.edit(&stroke("rate", json!(1), long.clone())).unwrap();
+    assert!(session.edit(&stroke("rate", json!(1), long)).is_err(), "more than 64 kB");
+}

@@ -8,6 +8,15 @@ use super::Recipe;
 use super::entry::{EVOLVE, Work};
 
 /// A stage of a recipe, as it was read.
+///
+/// ```
+/// use landform::recipe::Recipe;
+///
+/// let text = "[[stage]]\nuse = \"flat\"\nlabel = \"plain\"";
+/// let listed = Recipe::parse(text, "x", "".as_ref(), &[])?.listed();
+/// assert_eq!(listed[0].label.as_deref(), Some("plain"));
+/// # Ok::<(), landform::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Listed {
     /// Name of the stage.
@@ -27,6 +36,15 @@ pub struct Listed {
 }
 
 /// A stage of the table with its parameters.
+///
+/// ```
+/// use landform::recipe::{Part, Recipe};
+///
+/// let listed = Recipe::parse("[[stage]]\nuse = \"flat\"", "x", "".as_ref(), &[])?.listed();
+/// let Part { name, parameters } = &listed[0].parts[0];
+/// assert!(*name == "flat" && parameters["grid"].is_object());
+/// # Ok::<(), landform::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Part {
     /// Name.
@@ -37,6 +55,13 @@ pub struct Part {
 
 impl Listed {
     /// Whether it holds processes of their own names.
+    ///
+    /// ```
+    /// # use landform::recipe::Recipe;
+    /// let listed = Recipe::parse("[[stage]]\nuse = \"flat\"", "x", "".as_ref(), &[])?.listed();
+    /// assert!(!listed[0].is_evolve());
+    /// # Ok::<(), landform::Error>(())
+    /// ```
     pub fn is_evolve(&self) -> bool {
         self.name == EVOLVE
     }

@@ -1,10 +1,12 @@
 //! A look at a model while it runs: to show it, to hold it, to change it.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use landform_core::Result;
+use landform_core::parallel;
 use landform_core::sim::Model;
-use landform_core::terrain::{AnyTerrain, Surface};
+use landform_core::terrain::{AnyTerrain, Layer, Surface};
 
 /// Looks at a run of processes after every step.
 ///
@@ -38,8 +40,8 @@ use landform_core::terrain::{AnyTerrain, Surface};
 /// # Ok::<(), landform::Error>(())
 /// ```
 pub trait Looker: Sync {
-    /// Whether processes run though their ground is in the cache.
-    fn wants_all(&self) -> bool {
+    /// Whether the processes of a stage (from 0) run though their ground is in the cache.
+    fn wants(&self, _stage: usize) -> bool {
         false
     }
 
@@ -49,6 +51,17 @@ pub trait Looker: Sync {
         false
     }
 
+    /// Ground that the processes of a stage (from 0) go on from, in place of that before it, with
+    /// the time and the steps that they are at. They then run until [`Looker::look`] breaks off;
+    /// the ground counts as changed from outside. Other ground than that of as many nodes is passed
+    /// over.
+    fn goes_on_from(&self, _stage: usize) -> Option<Left> {
+        None
+    }
+
+    /// The processes of a stage (from 0) have ended.
+    fn ended(&self, _stage: usize, _left: &dyn Fn() -> Left) {}
+
     /// Looks at the model after a step. The run goes on when this returns;
     /// [`ControlFlow::Break`] ends its processes there.
     ///
@@ -57,7 +70,47 @@ pub trait Looker: Sync {
     fn look(&self, moment: &mut dyn Moment) -> Result<ControlFlow<()>>;
 }
 
+/// A new elevation (m) for a node's index, place (m) and elevation (m).
+///
+/// ```
+/// let dam: &landform::recipe::Change<'_> = &|_, [x, _], z| if x < 10.0 { z + 3.0 } else { z };
+/// assert_eq!(dam(0, [5.0, 0.0], 1.0), 4.0);
+/// ```
+pub type Change<'a> = dyn Fn(usize, [f64; 2], f64) -> f64 + Sync + 'a;
+
+/// What processes left.
+///
+/// ```
+/// use std::sync::Arc;
+/// use landform::core::grid::{Grid, Shape};
+/// use landform::core::terrain::{HeightField, Representation};
+/// use landform::recipe::Left;
+///
+/// let ground = HeightField::new(Grid::new(Shape::new(2, 2), [1.0; 2])?, vec![0.0; 4])?.wrap();
+/// let left = Left { ground: Arc::new(ground), time: 0.0, steps: 0 };
+/// assert_eq!(left.ground.nodes(), 4);
+/// # Ok::<(), landform::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Left {
+    /// The ground, its nodes where the processes had them.
+    pub ground: Arc<AnyTerrain>,
+    /// Time, s.
+    pub time: f64,
+    /// Steps taken.
+    pub steps: u64,
+}
+
 /// A model between two steps.
+///
+/// ```
+/// use landform::recipe::Moment;
+///
+/// /// Digs a pit of 3 m around a place.
+/// fn dig(moment: &mut dyn Moment, [x, y]: [f64; 2]) -> landform::Result<bool> {
+///     moment.edit(&|_, at, z| if (at[0] - x).abs().max((at[1] - y).abs()) < 9.0 { z - 3.0 } else { z })
+/// }
+/// ```
 pub trait Moment {
     /// Steps taken.
     fn steps(&self) -> u64;
@@ -65,6 +118,13 @@ pub trait Moment {
     fn time(&self) -> f64;
     /// A copy of the ground.
     fn ground(&self) -> AnyTerrain;
+    /// Changes elevations: `change` gets the index, the place (m) and the elevation (m) of a node
+    /// and returns its new elevation. False where nothing can be changed, as while cells are
+    /// coarser.
+    ///
+    /// # Errors
+    /// If a process does not find what it needs on the changed ground.
+    fn edit(&mut self, change: &Change<'_>) -> Result<bool>;
 }
 
 /// A model on the finest cells.
@@ -81,6 +141,18 @@ impl<T: Surface> Moment for Running<'_, T> {
 
     fn ground(&self) -> AnyTerrain {
         self.0.terrain().at_centres().into_owned().wrap()
+    }
+
+    fn edit(&mut self, change: &Change<'_>) -> Result<bool> {
+        let edit = |terrain: &mut T| {
+            let new: Vec<f64> = {
+                let z = terrain.elevation();
+                parallel::map(z.len(), |i| if z[i].is_finite() { change(i, terrain.position(i), z[i]) } else { z[i] })
+            };
+            // What a hand lays down is rock, and it takes what lies uppermost.
+            terrain.change(Layer::Bedrock, |z| z.copy_from_slice(&new));
+        };
+        self.0.edit(edit).map(|()| true)
     }
 }
 
@@ -107,6 +179,10 @@ impl<T: Surface> Moment for Coarser<'_, T> {
         let mut terrain = self.finest.clone();
         terrain.take_change_of(self.before, self.model.terrain());
         terrain.at_centres().into_owned().wrap()
+    }
+
+    fn edit(&mut self, _: &Change<'_>) -> Result<bool> {
+        Ok(false)
     }
 }
 

@@ -56,7 +56,7 @@ pub use landform_core::stage::{Stage, Verb};
 pub use landform_core::terrain::AnyTerrain;
 pub use level::Level;
 pub use listing::{Listed, Part};
-pub use look::{Looker, Moment};
+pub use look::{Change, Left, Looker, Moment};
 pub use options::{Options, Outputs, Progress, Signal};
 pub use parse::{Override, Recipe};
 pub use plan::{Plan, PlannedStage};

@@ -14,7 +14,7 @@ use super::cache::Cache;
 use super::checkpoint::{Checkpoint, check_undamaged, tidy};
 use super::entry::{Entry, Work};
 use super::evolve::{Evolving, Run};
-use super::look::Looker;
+use super::look::{Left, Looker};
 use super::options::{Options, Outputs, Signal};
 use super::watch::Watch;
 use super::{Plan, Recipe};
@@ -94,7 +94,7 @@ impl Runner<'_> {
             }
             // Files that are written on the way are not in the cache.
             let watched = self.watch_of(entry).is_some();
-            let looked = matches!(entry.work, Work::Evolve(_)) && self.options.look.is_some_and(Looker::wants_all);
+            let looked = matches!(entry.work, Work::Evolve(_)) && self.options.look.is_some_and(|look| look.wants(k));
             let known = if planned.cached && !watched && !looked && !self.is_changed() {
                 self.known(&planned.key, &current)
             } else {
@@ -112,6 +112,7 @@ impl Runner<'_> {
             }
             if let Some(slot) = known {
                 current = slot;
+                self.tell_known(k, entry, &mut current).map_err(fail)?;
             } else if !entry.work.changes_terrain() {
                 if !self.options.outputs.has(entry.work.verb()) {
                     continue;
@@ -148,6 +149,15 @@ impl Runner<'_> {
             Cow::Owned(window) => Arc::new(window),
         };
         Ok(Ran::ToTheEnd(terrain, current.history))
+    }
+
+    /// Tells what looks on of processes whose ground was in the cache.
+    fn tell_known(&self, stage: usize, entry: &Entry, slot: &mut Slot) -> Result<()> {
+        let (Some(look), Work::Evolve(_)) = (self.options.look, &entry.work) else { return Ok(()) };
+        let ended = slot.history.last().and_then(|event| event.outcome).map(|o| (o.time, o.steps));
+        let ((time, steps), ground) = (ended.unwrap_or_default(), self.terrain(slot)?);
+        look.ended(stage, &|| Left { ground: ground.clone(), time, steps });
+        Ok(())
     }
 
     /// Whether what looks on has changed the ground, so that it is no longer what its key says.
@@ -263,7 +273,7 @@ impl Runner<'_> {
                 let (recipe, options, watch) = (self.recipe, self.options, self.watch_of(entry));
                 let checkpoint = self.checkpoint(index, key, watch);
                 let Some(coarser) = recipe.coarser_levels(index, options)? else { return Ok(None) };
-                let run = Run { recipe, options, evolve, watch, seed };
+                let run = Run { recipe, options, evolve, stage: index, watch, seed };
                 let evolving = Evolving { run, coarser, checkpoint, out };
                 let Some((terrain, ended)) = before.visit(evolving)? else {
                     return Ok(None);
