@@ -113,6 +113,7 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
   uniform float uWall;         // 1 for the cut sides
   uniform float uContour;      // metres between contour lines; 0: none
   uniform float uHaze;         // a metre
+  uniform float uQuick;        // 1: without grain, while things move and the processor draws
   uniform float uDetail;       // 1: fine grain near the eye
   uniform vec3 uBrush;         // east, north, radius; radius 0: none
   in vec2 vPart;
@@ -158,7 +159,8 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
     vec3 wood = mix(vec3(0.058, 0.076, 0.030), vec3(0.080, 0.094, 0.038), spread);
     vec3 grass = mix(vec3(0.098, 0.108, 0.045), vec3(0.150, 0.146, 0.072), spread);
     vec3 heath = vec3(0.225, 0.195, 0.115);
-    float wide = noise(vPlace.xy / (uSize.x / 7.0)) * 0.65 + noise(vPlace.yx / (uSize.x / 19.0) + 3.7) * 0.35;
+    float wide = noise(vPlace.xy / (uSize.x / 7.0));
+    wide = 0.65 * wide + 0.35 * (uQuick > 0.5 ? 0.5 : noise(vPlace.yx / (uSize.x / 19.0) + 3.7));
     grass = mix(grass, heath, 0.5 * smoothstep(0.50, 0.82, wide));
     wood = mix(wood, grass, 0.6 * smoothstep(0.35, 0.65, wide));
     vec3 low = mix(wood, grass, smoothstep(-0.20, 0.30, part + 0.32 * mottle - 0.3 * (1.0 - open) + 0.06));
@@ -203,7 +205,7 @@ export const TERRAIN_FRAGMENT = /* glsl */ `${SHARED}
       vec4 material = uMaterial == 1 ? texture(tMaterial, texel(vPart)) : vec4(0.0);
       material.rgb = pow(material.rgb, vec3(2.2)) * 0.72;
       float metre = uSize.x / 260.0;
-      float spread = grain(vPlace.xy / metre);
+      float spread = uQuick > 0.5 ? 0.5 : grain(vPlace.xy / metre);
       if (uDetail > 0.5) {
         float fine = max(uSize.x / uNodes.x, 1e-3) * 0.8;
         float near = exp(-far / (fine * 260.0));
@@ -279,4 +281,13 @@ export const SKY_VERTEX = /* glsl */ `
     vPart = part;
     gl_Position = vec4(part * 2.0 - 1.0, 1.0, 1.0);
   }
+`;
+
+/** A picture in fewer pixels, enlarged. */
+export const COPY_FRAGMENT = /* glsl */ `
+  precision highp float;
+  uniform sampler2D tPicture;
+  in vec2 vPart;
+  out vec4 colour;
+  void main() { colour = texture(tPicture, vPart); }
 `;

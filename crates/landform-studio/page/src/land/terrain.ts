@@ -1,7 +1,7 @@
 // The land on the graphics card: textures, surface, walls, and the pass that finds light and shadow.
 import {
   ClampToEdgeWrapping, DataTexture, FloatType, GLSL3, LinearFilter, Mesh, OrthographicCamera, RawShaderMaterial, RGBAFormat, RGFormat,
-  Scene, UnsignedByteType, Vector2, Vector3, WebGLRenderTarget, Matrix4, DoubleSide, type WebGLRenderer,
+  Scene, UnsignedByteType, Vector2, Vector3, WebGLRenderTarget, Matrix4, DoubleSide, type BufferGeometry, type WebGLRenderer,
 } from "three";
 import { extent } from "../model/raster.ts";
 import { fullPicture, surfaceGrid, wallStrip } from "./mesh.ts";
@@ -29,6 +29,8 @@ export interface Drawn {
 export type Effort = 0 | 1 | 2;
 /** Directions in which the sky is looked for, and steps towards the sun. */
 const EFFORTS: { [effort in Effort]: [number, number] } = { 0: [6, 18], 1: [14, 48], 2: [20, 80] };
+/** Squares along a side of the surface while things move. */
+const ROUGH_SQUARES = 112;
 const LOOKS: { [look in Look]: number } = { natural: 0, field: 1, clay: 2, sand: 3 };
 
 export class Terrain {
@@ -37,7 +39,10 @@ export class Terrain {
   private ground: DataTexture | null = null;
   private colours: DataTexture | null = null;
   private materials: DataTexture | null = null;
-  private shade = new WebGLRenderTarget(1, 1, { minFilter: LinearFilter, magFilter: LinearFilter, depthBuffer: false });
+  private readonly shade = new WebGLRenderTarget(1, 1, { minFilter: LinearFilter, magFilter: LinearFilter, depthBuffer: false });
+  /** Light and shadow in fewer nodes, while things move. */
+  private readonly roughShade = new WebGLRenderTarget(1, 1, { minFilter: LinearFilter, magFilter: LinearFilter, depthBuffer: false });
+  private grids: { fine: BufferGeometry; rough: BufferGeometry } = { fine: surfaceGrid(1, 1), rough: surfaceGrid(1, 1) };
   private shadedFor = "";
   private version = 0;
   private readonly passScene = new Scene();
@@ -63,6 +68,7 @@ export class Terrain {
     uBrush: { value: new Vector3() },
     uFoot: { value: 0 },
     uViewProjection: { value: new Matrix4() },
+    uQuick: { value: 0 },
     uDirections: { value: 16 },
     uRays: { value: 64 },
   };
@@ -74,7 +80,7 @@ export class Terrain {
       glslVersion: GLSL3, vertexShader: TERRAIN_VERTEX, fragmentShader: TERRAIN_FRAGMENT,
       uniforms: { ...this.uniforms, uWall: { value: wall } }, side: DoubleSide,
     });
-    this.surface = new Mesh(surfaceGrid(1, 1), material(0));
+    this.surface = new Mesh(this.grids.fine, material(0));
     this.walls = new Mesh(wallStrip(1, 1), material(1));
     for (const mesh of [this.surface, this.walls]) {
       mesh.frustumCulled = false;
@@ -130,10 +136,11 @@ export class Terrain {
     this.uniforms.tColour.value = this.colours;
     this.uniforms.tMaterial.value = this.materials;
     this.shade.setSize(cols, rows);
-    const across = Math.min(cols - 1, this.mostSquares) || 1, down = Math.min(rows - 1, this.mostSquares) || 1;
-    this.surface.geometry.dispose();
-    this.walls.geometry.dispose();
-    this.surface.geometry = surfaceGrid(across, down);
+    this.roughShade.setSize(Math.ceil(cols / 2), Math.ceil(rows / 2));
+    const squares = (n: number, most: number) => Math.max(1, Math.min(n - 1, most));
+    const [across, down] = [squares(cols, this.mostSquares), squares(rows, this.mostSquares)];
+    this.disposeMeshes();
+    this.grids = { fine: surfaceGrid(across, down), rough: surfaceGrid(squares(cols, ROUGH_SQUARES), squares(rows, ROUGH_SQUARES)) };
     this.walls.geometry = wallStrip(across, down);
   }
 
@@ -154,10 +161,17 @@ export class Terrain {
     u.uFoot.value = -0.05 * Math.max(u.uSize.value.x, u.uSize.value.y);
     [u.uDirections.value, u.uRays.value] = EFFORTS[effort]!;
     const key = `${this.version} ${azimuth} ${height} ${drawn.tall}`;
+    this.surface.geometry = effort === 0 ? this.grids.rough : this.grids.fine;
+    const target = effort === 0 ? this.roughShade : this.shade;
+    u.tShade.value = target.texture;
+    u.uQuick.value = effort === 0 ? 1 : 0;
     // Better light than asked for stays.
-    if (this.shadedFor.startsWith(`${key} `) && Number(this.shadedFor.split(" ").at(-1)) >= effort) return;
+    if (this.shadedFor.startsWith(`${key} `) && Number(this.shadedFor.split(" ").at(-1)) >= effort) {
+      if (effort === 0 && !this.shadedFor.endsWith(" 0")) u.tShade.value = this.shade.texture;
+      return;
+    }
     this.shadedFor = `${key} ${effort}`;
-    renderer.setRenderTarget(this.shade);
+    renderer.setRenderTarget(target);
     renderer.render(this.passScene, this.passCamera);
     renderer.setRenderTarget(null);
   }
@@ -175,7 +189,13 @@ export class Terrain {
     this.colours?.dispose();
     this.materials?.dispose();
     this.shade.dispose();
-    this.surface.geometry.dispose();
+    this.roughShade.dispose();
+    this.disposeMeshes();
+  }
+
+  private disposeMeshes(): void {
+    this.grids.fine.dispose();
+    this.grids.rough.dispose();
     this.walls.geometry.dispose();
   }
 }

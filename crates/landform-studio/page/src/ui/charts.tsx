@@ -8,7 +8,7 @@ export function Measures() {
   const c = charts.value;
   if (!c) return <div class="side-body"><p class="dim">Measures come when a preview is done.</p></div>;
   return (
-    <div class="side-body" data-testid="measures">
+    <div class="side-body" data-testid="measures" tabIndex={0} role="region" aria-label="Measures">
       <h2>Measures</h2>
       <p class="dim lead">Of the ground at level {c.level ?? "?"}.</p>
       <Summary c={c} />

@@ -85,7 +85,7 @@ function show(view: LandView): void {
   };
   // What changes again and again is moving; the last change is drawn well.
   const now = performance.now();
-  view.redraw(now - lastShown < 700);
+  view.redraw(view.software || now - lastShown < 700);
   lastShown = now;
 }
 
