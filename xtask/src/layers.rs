@@ -39,8 +39,13 @@ type Rule = fn(&str, &str) -> bool;
 pub(crate) fn check() -> bool {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates");
     let mut breaches = Vec::new();
-    let crates: [(&str, Rule); 4] =
-        [("landform-core", core), ("landform-process", process), ("landform-io", io), ("landform", |_, _| true)];
+    let crates: [(&str, Rule); 5] = [
+        ("landform-core", core),
+        ("landform-process", process),
+        ("landform-io", io),
+        ("landform", |_, _| true),
+        ("landform-studio", studio),
+    ];
     for (name, rule) in crates {
         let tree = Tree::read(&root.join(name).join("src"));
         for (file, target) in tree.imports() {
@@ -78,6 +83,19 @@ fn io(module: &str, target: &str) -> bool {
     match module {
         "render" => target != "format",
         "format" => !["render", "report", "export"].contains(&target),
+        _ => true,
+    }
+}
+
+/// Text and protocol know nothing of sessions, jobs and servers.
+fn studio(module: &str, target: &str) -> bool {
+    match module {
+        "text" => false,
+        "protocol" => target == "text",
+        "root" => false,
+        "hub" => target == "protocol",
+        "session" | "jobs" => !["server", "studio"].contains(&target) && (module != "session" || target != "jobs"),
+        "studio" => target != "server",
         _ => true,
     }
 }

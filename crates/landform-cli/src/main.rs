@@ -45,6 +45,8 @@ mod run;
 mod schema;
 mod show_error;
 mod stages;
+#[cfg(feature = "studio")]
+mod studio;
 mod vary;
 
 use std::process::ExitCode;
@@ -104,6 +106,9 @@ enum Command {
     Convert(Work<convert::Args>),
     /// Shows or clears the terrains that runs have kept in an output folder.
     Cache(cache::Args),
+    /// Opens a studio in the browser: the landscape, in three dimensions, while its recipe changes.
+    #[cfg(feature = "studio")]
+    Studio(studio::Args),
     /// Prints completions for a shell.
     Completions(completions::Args),
     /// Writes man pages into a folder.
@@ -129,6 +134,8 @@ fn main() -> ExitCode {
         Command::Render(work) => work.run(render::run),
         Command::Convert(work) => work.run(convert::run),
         Command::Cache(args) => cache::run(&args),
+        #[cfg(feature = "studio")]
+        Command::Studio(args) => studio::run(&args),
         Command::Completions(args) => completions::run(&args, Cli::command()),
         Command::Man(args) => man::run(&args, Cli::command()),
     };

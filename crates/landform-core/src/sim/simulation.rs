@@ -34,6 +34,7 @@ pub struct View<'a, T> {
 }
 
 type Observer<'a, T> = Box<dyn FnMut(&View<T>) -> Result<ControlFlow<()>> + Send + 'a>;
+type Between<'a, T> = Box<dyn FnMut(&mut Model<T>) -> Result<ControlFlow<()>> + Send + 'a>;
 type Saver<'a, T> = Box<dyn FnMut(&Model<T>) -> Result<()> + Send + 'a>;
 
 /// Runs a model until a condition stops it, and calls observers on the way.
@@ -63,6 +64,8 @@ pub struct Simulation<'a, T: Terrain> {
     steady_values: Option<Watched<T>>,
     refining: Option<Refining<T>>,
     observers: Vec<(Every, Instant, Observer<'a, T>)>,
+    /// Called between steps.
+    between: Option<Between<'a, T>>,
     saver: Option<(f64, Instant, Saver<'a, T>)>,
 }
 
@@ -94,7 +97,7 @@ impl<'a, T: Terrain> Simulation<'a, T> {
     /// A run of a model.
     pub fn of(model: Model<T>) -> Self {
         let (observers, stop) = (Vec::new(), Stop::default());
-        Self { model, stop, steady_values: None, refining: None, observers, saver: None }
+        Self { model, stop, steady_values: None, refining: None, observers, between: None, saver: None }
     }
 
     /// Adds a process.
@@ -155,6 +158,29 @@ impl<'a, T: Terrain> Simulation<'a, T> {
         observer: impl FnMut(&View<T>) -> Result<ControlFlow<()>> + Send + 'a,
     ) -> Self {
         self.observers.push((every, Instant::now(), Box::new(observer)));
+        self
+    }
+
+    /// Calls `between` after every step, once observers have seen it. It may change the model
+    /// ([`Model::edit`]) or hold the run up; [`ControlFlow::Break`] ends the run.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use landform_core::grid::{Grid, Shape};
+    /// use landform_core::sim::Simulation;
+    /// use landform_core::terrain::{HeightField, Layer, NodeSurface};
+    ///
+    /// let ground = HeightField::new(Grid::new(Shape::new(3, 3), [10.0, 10.0])?, vec![0.0; 9])?;
+    /// let mut run = Simulation::new(ground).dt(10.0).for_steps(2).between(|model| {
+    ///     model.edit(|ground| ground.change(Layer::Bedrock, |z| z[4] += 3.0))?;
+    ///     Ok(ControlFlow::Continue(()))
+    /// });
+    /// run.run()?;
+    /// assert_eq!(run.terrain().elevation()[4], 6.0);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn between(mut self, between: impl FnMut(&mut Model<T>) -> Result<ControlFlow<()>> + Send + 'a) -> Self {
+        self.between = Some(Box::new(between));
         self
     }
 
@@ -310,6 +336,11 @@ impl<'a, T: Terrain> Simulation<'a, T> {
                     return Ok(ControlFlow::Break(()));
                 }
             }
+        }
+        if let Some(between) = &mut self.between
+            && between(&mut self.model)?.is_break()
+        {
+            return Ok(ControlFlow::Break(()));
         }
         if let Some((seconds, last, save)) = &mut self.saver
             && last.elapsed().as_secs_f64() >= *seconds

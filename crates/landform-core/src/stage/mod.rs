@@ -36,24 +36,28 @@ macro_rules! stages {
     };
     (@row generate $params:ty, [], [$to:ty]) => {
         $crate::stage::Stage {
+            module: module_path!(),
             acts: &[$crate::stage::generate::<$params, $to>()],
             ..$crate::stage::Stage::new::<$params>($crate::stage::Verb::Generate, &[])
         }
     };
     (@row edit $params:ty, [$($on:ty),+], []) => {
         $crate::stage::Stage {
+            module: module_path!(),
             acts: &[$($crate::stage::edit::<$params, $on>()),+],
             ..$crate::stage::Stage::new::<$params>($crate::stage::Verb::Edit, &[])
         }
     };
     (@row convert $params:ty, [$on:ty], [$to:ty]) => {
         $crate::stage::Stage {
+            module: module_path!(),
             acts: &[$crate::stage::convert::<$params, $on, $to>()],
             ..$crate::stage::Stage::new::<$params>($crate::stage::Verb::Convert, &[])
         }
     };
     (@row process $params:ty, [$first:ty $(, $on:ty)*], []) => {
         $crate::stage::Stage {
+            module: module_path!(),
             acts: &[$crate::stage::process::<$params, $first>() $(, $crate::stage::process::<$params, $on>())*],
             ..$crate::stage::Stage::new::<$params>(
                 $crate::stage::Verb::Process,
@@ -63,12 +67,14 @@ macro_rules! stages {
     };
     (@row measure $params:ty, [$($on:ty),+], []) => {
         $crate::stage::Stage {
+            module: module_path!(),
             acts: &[$($crate::stage::measure::<$params, $on>()),+],
             ..$crate::stage::Stage::new::<$params>($crate::stage::Verb::Measure, &[])
         }
     };
     (@row export $params:ty, [$($on:ty),+], []) => {
         $crate::stage::Stage {
+            module: module_path!(),
             acts: &[$($crate::stage::export::<$params, $on>()),+],
             ..$crate::stage::Stage::new::<$params>($crate::stage::Verb::Export, &[])
         }

@@ -75,6 +75,8 @@ pub struct Stage {
     pub form: Form,
     /// Functions, one for each kind of terrain.
     pub acts: &'static [Act],
+    /// The module whose row it is.
+    pub module: &'static str,
 }
 
 /// Description of a stage's parameters.
@@ -245,7 +247,26 @@ impl Stage {
     pub const fn new<P: Params>(verb: Verb, writes: &'static [&'static str]) -> Self {
         let (name, sources, inputs, with, needs) = (P::NAME, P::SOURCES, P::INPUTS, P::WITH, P::NEEDS);
         let (renamed, obsolete) = (P::RENAMED, P::OBSOLETE);
-        Self { name, verb, sources, inputs, with, needs, writes, renamed, obsolete, form: Form::of::<P>(), acts: &[] }
+        let (form, acts, module) = (Form::of::<P>(), &[], "");
+        Self { name, verb, sources, inputs, with, needs, writes, renamed, obsolete, form, acts, module }
+    }
+
+    /// The folder of its phenomenon, or of what reads, measures and writes.
+    ///
+    /// ```
+    /// use landform_core::stage::{Stage, Verb};
+    /// # use landform_core::verb::{Params, Source};
+    /// # #[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+    /// # struct Melt {}
+    /// # impl Params for Melt {
+    /// #     const NAME: &'static str = "melt";
+    /// #     const SOURCES: &'static [Source] = &[];
+    /// # }
+    /// let row = Stage { module: "landform_process::snow::melt", ..Stage::new::<Melt>(Verb::Edit, &[]) };
+    /// assert_eq!(row.folder(), "snow");
+    /// ```
+    pub fn folder(&self) -> &'static str {
+        self.module.split("::").nth(1).unwrap_or_default()
     }
 
     /// The act on a kind of terrain.

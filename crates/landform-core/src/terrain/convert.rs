@@ -113,7 +113,19 @@ pub(super) fn elevation_raster(mesh: &Mesh, cell_size: f64) -> Result<(Grid, Vec
 }
 
 /// Cells over a mesh, and the triangle under each: for several values of the same nodes.
-pub(super) struct ValuesRaster {
+///
+/// ```
+/// use landform_core::grid::Edges;
+/// use landform_core::terrain::{Mesh, ValuesRaster};
+///
+/// let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+/// let mesh = Mesh::delaunay(&sites, Edges::default())?;
+/// let cells = ValuesRaster::over(&mesh, 5.0)?;
+/// let east: Vec<f64> = mesh.positions().iter().map(|p| p[0]).collect();
+/// assert_eq!(cells.of(&mesh, &east)[..3], [0.0, 5.0, 10.0]);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
+pub struct ValuesRaster {
     grid: Grid,
     triangle: Vec<u32>,
 }
@@ -121,20 +133,49 @@ pub(super) struct ValuesRaster {
 impl ValuesRaster {
     /// Cells of a size (m) over a mesh.
     ///
+    /// ```
+    /// # use landform_core::grid::Edges;
+    /// # use landform_core::terrain::{Mesh, NodeSurface, ValuesRaster};
+    /// # let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+    /// # let mesh = Mesh::delaunay(&sites, Edges::default())?;
+    /// assert!(ValuesRaster::over(&mesh, 0.0).is_err());
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Where [`Grid::covering`] fails.
-    pub(super) fn over(mesh: &Mesh, cell_size: f64) -> Result<Self> {
+    pub fn over(mesh: &Mesh, cell_size: f64) -> Result<Self> {
         let grid = grid_over(mesh, cell_size)?;
         let triangle = locate(mesh, &grid);
         Ok(Self { grid, triangle })
     }
 
-    pub(super) fn grid(&self) -> &Grid {
+    /// The cells.
+    ///
+    /// ```
+    /// # use landform_core::grid::Edges;
+    /// # use landform_core::terrain::{Mesh, NodeSurface, ValuesRaster};
+    /// # let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+    /// # let mesh = Mesh::delaunay(&sites, Edges::default())?;
+    /// assert_eq!(ValuesRaster::over(&mesh, 5.0)?.grid().len(), 9);
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn grid(&self) -> &Grid {
         &self.grid
     }
 
     /// Values of the cells, linear between those of the nodes; NaN outside.
-    pub(super) fn of(&self, mesh: &Mesh, values: &[f64]) -> Vec<f64> {
+    ///
+    /// ```
+    /// # use landform_core::grid::Edges;
+    /// # use landform_core::terrain::{Mesh, NodeSurface, ValuesRaster};
+    /// # let sites = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [5.0, 5.0]];
+    /// # let mesh = Mesh::delaunay(&sites, Edges::default())?;
+    /// let flat = ValuesRaster::over(&mesh, 5.0)?.of(&mesh, mesh.elevation());
+    /// assert!(flat.iter().all(|&z| z == 0.0));
+    /// # Ok::<(), landform_core::Error>(())
+    /// ```
+    pub fn of(&self, mesh: &Mesh, values: &[f64]) -> Vec<f64> {
         linear(mesh, &self.grid, &self.triangle, values)
     }
 }

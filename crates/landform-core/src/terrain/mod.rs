@@ -45,7 +45,9 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use any::{AnyTerrain, Body, Rasterize, Representation, Surface, Visit, bytes_a_node, not_a_surface};
-pub use convert::{Interpolation, height_field_from_mesh, mesh_parts_from_height_field, resample, sample_by};
+pub use convert::{
+    Interpolation, ValuesRaster, height_field_from_mesh, mesh_parts_from_height_field, resample, sample_by,
+};
 pub use cubic::cubic_from_mesh;
 pub use erode::{Brush, Erodible, Removed};
 pub use gaussian::gaussian_from_mesh;

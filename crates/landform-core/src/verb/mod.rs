@@ -21,6 +21,7 @@ mod params;
 mod reach;
 mod role;
 mod spans;
+mod strokes;
 mod varying;
 mod wind;
 
@@ -45,6 +46,7 @@ pub use params::{Params, Source, properties, schema_of, validate_ranges};
 pub use reach::{Margin, Reach, Window};
 pub use role::{Role, coarser};
 pub use spans::{LengthSpan, SlopeSpan};
+pub use strokes::{Stroke, Tool, covered};
 pub use varying::{Lookup, Resolved, Varying};
 pub use wind::{Rose, Wind};
 

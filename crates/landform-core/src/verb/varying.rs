@@ -1,5 +1,5 @@
-//! Values that may vary in space: one quantity, a picture, a raster, a formula, or a field that is
-//! already there.
+//! Values that may vary in space: one quantity, a picture, a raster, a formula, strokes of a brush,
+//! or a field that is already there.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -10,6 +10,7 @@ use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::changing::{Course, course_schemas};
+use super::strokes::{self, Stroke};
 use super::{Changing, Formula, Maps, Reach};
 use crate::feature::{FeatureKind, near};
 use crate::grid::{Grid, Registration};
@@ -85,6 +86,13 @@ pub enum Varying<D: Dimension> {
     },
     /// The same everywhere, but changing in time.
     InTime(Changing<D>),
+    /// Strokes of a brush over another value; see [`Stroke`].
+    Strokes {
+        /// The strokes, in order.
+        strokes: Vec<Stroke<D>>,
+        /// The value before them.
+        base: Box<Varying<D>>,
+    },
     /// A field of the landscape, in the customary unit unless `unit` says otherwise.
     Field {
         /// Name of the field.
@@ -163,7 +171,11 @@ impl<D: Dimension> Varying<D> {
 
     /// How far around a node the ground can affect the value there.
     pub fn reach(&self) -> Reach {
-        if let Self::Feature { buffer, .. } = self { Reach::Distance(buffer.si()) } else { Reach::Point }
+        match self {
+            Self::Feature { buffer, .. } => Reach::Distance(buffer.si()),
+            Self::Strokes { base, .. } => base.reach(),
+            _ => Reach::Point,
+        }
     }
 
     /// The values on the nodes of a terrain, SI; evaluated once, so that a formula of z uses the
@@ -209,6 +221,10 @@ impl<D: Dimension> Varying<D> {
                     let z = terrain.elevation()[i];
                     factor * formula.at(bounds, terrain.position(i), z, context.seed())
                 })
+            }
+            Self::Strokes { strokes, base } => {
+                let base = base.resolve(name, terrain, context)?;
+                strokes::paint(strokes, n, |i| terrain.position(i), |i| base.at(i))
             }
             Self::Feature { kind: word, buffer, inside, outside } => {
                 let features = terrain.features();
@@ -284,6 +300,10 @@ impl<D: Dimension> Serialize for Varying<D> {
                 map.serialize_entry("formula", formula.text())?;
                 map.serialize_entry("unit", unit)?;
             }
+            Self::Strokes { strokes, base } => {
+                map.serialize_entry("strokes", strokes)?;
+                map.serialize_entry("base", base)?;
+            }
             Self::Feature { kind, buffer, inside, outside } => {
                 map.serialize_entry("feature", kind)?;
                 map.serialize_entry("buffer", buffer)?;
@@ -311,6 +331,8 @@ const KEYS: &[&str] = &[
     "inside",
     "outside",
     "unit",
+    "strokes",
+    "base",
     "times",
     "values",
     "mean",
@@ -332,7 +354,7 @@ impl<'de, D: Dimension> Visitor<'de> for VaryingVisitor<D> {
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "a {} such as \"{}\", or a table with `image`, `raster`, `formula`, `field`, `feature`, or `times` and `values`",
+            "a {} such as \"{}\", or a table with `image`, `raster`, `formula`, `field`, `feature`, `strokes`, or `times` and `values`",
             D::NAME,
             D::EXAMPLE
         )
@@ -376,6 +398,8 @@ impl<'de, D: Dimension> Visitor<'de> for VaryingVisitor<D> {
                     }
                     parts.feature = Some(word);
                 }
+                "strokes" => parts.strokes = Some(map.next_value()?),
+                "base" => parts.base = Some(Box::new(map.next_value()?)),
                 "buffer" => parts.buffer = Some(map.next_value()?),
                 "inside" => parts.inside = Some(map.next_value()?),
                 "outside" => parts.outside = Some(map.next_value()?),
@@ -407,6 +431,8 @@ struct Parts<D: Dimension> {
     buffer: Option<Length>,
     inside: Option<Quantity<D>>,
     outside: Option<Quantity<D>>,
+    strokes: Option<Vec<Stroke<D>>>,
+    base: Option<Box<Varying<D>>>,
     course: Course<D>,
 }
 
@@ -424,6 +450,8 @@ impl<D: Dimension> Default for Parts<D> {
             buffer: None,
             inside: None,
             outside: None,
+            strokes: None,
+            base: None,
             course: Course::default(),
         }
     }
@@ -436,11 +464,18 @@ impl<D: Dimension> Parts<D> {
             + usize::from(self.formula.is_some())
             + usize::from(self.field.is_some())
             + usize::from(self.feature.is_some())
+            + usize::from(self.strokes.is_some())
             + usize::from(!self.course.is_empty());
         if given != 1 {
             return Err(E::custom(format!(
-                "{given} of `image`, `raster`, `formula`, `field`, `feature`, `times` given; expected exactly one"
+                "{given} of `image`, `raster`, `formula`, `field`, `feature`, `strokes`, `times` given; expected exactly one"
             )));
+        }
+        if let Some(strokes) = self.strokes {
+            return with_strokes(strokes, self.base, self.unit.is_some());
+        }
+        if self.base.is_some() {
+            return Err(E::custom("`base` goes with `strokes`"));
         }
         if self.image.is_none() && (self.black.is_some() || self.white.is_some()) {
             return Err(E::custom("`black` and `white` go with `image`"));
@@ -490,6 +525,25 @@ impl<D: Dimension> Parts<D> {
     }
 }
 
+/// Strokes over a value, which is 0 if none is given.
+fn with_strokes<D: Dimension, E: de::Error>(
+    strokes: Vec<Stroke<D>>,
+    base: Option<Box<Varying<D>>>,
+    unit: bool,
+) -> Result<Varying<D>, E> {
+    if unit {
+        return Err(E::custom("`strokes` take no `unit`: give it with every `strength`"));
+    }
+    strokes::check(&strokes).map_err(E::custom)?;
+    let base = base.unwrap_or_default();
+    if matches!(*base, Varying::Strokes { .. } | Varying::InTime(_)) {
+        return Err(E::custom(
+            "the `base` of strokes is a value that does not change in time, without strokes of its own",
+        ));
+    }
+    Ok(Varying::Strokes { strokes, base })
+}
+
 impl<D: Dimension> JsonSchema for Varying<D> {
     fn inline_schema() -> bool {
         true
@@ -501,6 +555,7 @@ impl<D: Dimension> JsonSchema for Varying<D> {
         let quantity = Quantity::<D>::json_schema(generator);
         let text = json_schema!({ "type": "string" });
         let [lines, cycle] = course_schemas::<D>(generator);
+        let strokes = strokes::schema::<D>(generator);
         let words: Vec<&str> = FeatureKind::ALL.iter().map(|kind| kind.0).collect();
         json_schema!({
             "anyOf": [
@@ -516,6 +571,8 @@ impl<D: Dimension> JsonSchema for Varying<D> {
                 { "type": "object", "additionalProperties": false, "required": ["feature"],
                   "properties": { "feature": { "enum": words },
                     "buffer": Length::json_schema(generator), "inside": quantity, "outside": quantity } },
+                { "type": "object", "additionalProperties": false, "required": ["strokes"],
+                  "properties": { "strokes": strokes, "base": { "anyOf": [quantity, { "type": "object" }] } } },
                 lines,
                 cycle,
             ],
@@ -540,13 +597,14 @@ mod tests {
     }
 
     #[test]
-    fn the_seven_shapes_are_read_and_written_back() {
+    fn the_eight_shapes_are_read_and_written_back() {
         for json in [
             r#""0.4 mm/yr""#,
             r#"{"image":"a.png","black":"0 mm/yr","white":"0.4 mm/yr"}"#,
             r#"{"raster":"a.tif","unit":"mm/yr"}"#,
             r#"{"formula":"0.4*(1 - r)","unit":"mm/yr"}"#,
             r#"{"field":"uplift","unit":"mm/yr"}"#,
+            r#"{"strokes":[{"tool":"raise","radius":"900 m","strength":"1 mm/yr","points":[[1.5,2.0,0.5,0.1]]}],"base":"0.1 mm/yr"}"#,
             r#"{"times":["0 yr","1000 yr"],"values":["0 mm/yr","1 mm/yr"]}"#,
             r#"{"feature":"rivers","buffer":"50 m","inside":"0.1 mm/yr","outside":"0 mm/yr"}"#,
         ] {

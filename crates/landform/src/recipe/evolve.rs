@@ -13,6 +13,7 @@ use landform_core::{Error, Result};
 
 use super::checkpoint::Checkpoint;
 use super::entry::Evolve;
+use super::look::{self, look};
 use super::options::{Options, Progress, Signal};
 use super::watch::{Watch, Watcher};
 use super::{Level, Recipe};
@@ -45,6 +46,8 @@ pub(super) struct Run<'a, 'b> {
     pub(super) recipe: &'a Recipe,
     pub(super) options: &'a Options<'b>,
     pub(super) evolve: &'a Evolve,
+    /// The stage, from 0.
+    pub(super) stage: usize,
     /// What is watched in this run.
     pub(super) watch: Option<&'a Watch>,
     pub(super) seed: Seed,
@@ -56,6 +59,9 @@ impl Visit for Evolving<'_, '_> {
     fn surface<T: Surface>(self, terrain: &T) -> Self::Out {
         let Self { run, coarser, checkpoint, out } = self;
         let (clock, options) = (&run.evolve.clock, run.options);
+        if let Some(settled) = run.go_on(terrain) {
+            return settled;
+        }
         let mut model = run.model(terrain, &run.evolve.parts)?;
         let resume = options.resume && checkpoint.as_ref().is_some_and(Checkpoint::is_there);
         let saves = checkpoint.is_some();
@@ -75,6 +81,9 @@ impl Visit for Evolving<'_, '_> {
             simulation = simulation.refine(clock.refine);
         }
         simulation = run.observed(simulation, &beside, |view, beside| open(beside).look(view));
+        if options.look.is_some() {
+            simulation = simulation.between(|model| look(options.look, &mut look::Running(model)));
+        }
         if saves {
             simulation = simulation.save_every(options.checkpoint_every, |model| open(&beside).save(model));
         }
@@ -86,6 +95,7 @@ impl Visit for Evolving<'_, '_> {
             open(&beside).save(simulation.model())?;
             return Ok(None);
         }
+        run.tell_end(&simulation);
         simulation.model().notes().for_each(|note| (options.progress)(Signal::Note(note)));
         let terrain = simulation.into_terrain().at_centres().into_owned().wrap();
         let watcher = open(&beside).watcher.take();
@@ -149,6 +159,36 @@ struct LeftOff<T> {
 }
 
 impl<'a, 'b> Run<'a, 'b> {
+    /// Runs from where what looks on says, until it breaks off; none if it says nothing.
+    fn go_on<T: Surface>(self, before: &T) -> Option<Result<Option<(AnyTerrain, Outcome)>>> {
+        let left = self.options.look?.goes_on_from(self.stage)?;
+        let ground = T::of(&left.ground).filter(|ground| ground.nodes() == before.nodes())?;
+        let run = || {
+            let model = self.model(ground, &self.evolve.parts)?.begin_at(left.time, left.steps);
+            let end = Stop { time: Some(f64::INFINITY), ..Stop::default() };
+            let mut simulation = Simulation::of(model).until(end);
+            simulation = simulation.observe(Every::Steps(1), steps(end, self.options.progress));
+            simulation = simulation.between(|model| look(self.options.look, &mut look::Running(model)));
+            let outcome = simulation.run()?;
+            if outcome.stopped != Stopped::Cancelled {
+                self.tell_end(&simulation);
+            }
+            let ground = simulation.into_terrain().at_centres().into_owned().wrap();
+            Ok((outcome.stopped != Stopped::Cancelled).then_some((ground, outcome)))
+        };
+        Some(run())
+    }
+
+    fn tell_end<T: Surface>(self, simulation: &Simulation<T>) {
+        let model = simulation.model();
+        let left = || look::Left {
+            ground: Arc::new(model.terrain().clone().wrap()),
+            time: model.time(),
+            steps: model.steps(),
+        };
+        self.options.look.iter().for_each(|look| look.ended(self.stage, &left));
+    }
+
     fn model<T: Surface>(self, terrain: &T, parts: &[ReadStage]) -> Result<Model<T>> {
         Ok(self.around(model_of(terrain, parts, self.seed)?))
     }
@@ -200,6 +240,10 @@ impl<'a, 'b> Run<'a, 'b> {
             terrain.take_change_of(&before, view.terrain);
             open(beside).look(&View { terrain: &terrain, ..*view })
         });
+        if self.options.look.is_some() {
+            simulation = simulation
+                .between(|model| look(self.options.look, &mut look::Coarser { model, before: &before, finest }));
+        }
         let outcome = simulation.run()?;
         let after = simulation.into_terrain();
         let left = LeftOff { before, after, time: outcome.time, steps: outcome.steps };

@@ -6,6 +6,7 @@ use landform_core::stage::Verb;
 use landform_core::verb::{CancelToken, Outcome};
 
 use super::cache::Cache;
+use super::look::Looker;
 
 /// A signal of a run while it goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,6 +63,8 @@ pub struct Options<'a> {
     pub outputs: Outputs,
     /// Receives the signals of the run.
     pub progress: &'a Progress<'a>,
+    /// Looks at the ground while processes run on it.
+    pub look: Option<&'a dyn Looker>,
 }
 
 impl Default for Options<'_> {
@@ -75,6 +78,7 @@ impl Default for Options<'_> {
             cancel: CancelToken::default(),
             outputs: Outputs::All,
             progress: &|_| {},
+            look: None,
         }
     }
 }

@@ -126,7 +126,9 @@ impl Recipe {
     /// Files that it reads.
     pub fn inputs(&self) -> impl Iterator<Item = std::path::PathBuf> {
         let parts = self.entries.iter().flat_map(|e| e.work.parts());
-        parts.flat_map(|p| input_paths(p.stage().inputs, p.parameters())).map(|path| self.folder.join(path))
+        let around = serde_json::to_value(&*self.environment).unwrap_or_default();
+        let paths = parts.flat_map(|p| input_paths(p.stage().inputs, p.parameters())).chain(input_paths(&[], &around));
+        paths.map(|path| self.folder.join(path))
     }
 
     /// Files that it writes, below the output folder; of the numbered frames of a `watch` the

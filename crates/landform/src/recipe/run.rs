@@ -14,6 +14,7 @@ use super::cache::Cache;
 use super::checkpoint::{Checkpoint, check_undamaged, tidy};
 use super::entry::{Entry, Work};
 use super::evolve::{Evolving, Run};
+use super::look::{Left, Looker};
 use super::options::{Options, Outputs, Signal};
 use super::watch::Watch;
 use super::{Plan, Recipe};
@@ -93,7 +94,12 @@ impl Runner<'_> {
             }
             // Files that are written on the way are not in the cache.
             let watched = self.watch_of(entry).is_some();
-            let known = if planned.cached && !watched { self.known(&planned.key, &current) } else { None };
+            let looked = matches!(entry.work, Work::Evolve(_)) && self.options.look.is_some_and(|look| look.wants(k));
+            let known = if planned.cached && !watched && !looked && !self.is_changed() {
+                self.known(&planned.key, &current)
+            } else {
+                None
+            };
             (self.options.progress)(Signal::Stage {
                 index: k + 1,
                 of,
@@ -106,6 +112,7 @@ impl Runner<'_> {
             }
             if let Some(slot) = known {
                 current = slot;
+                self.tell_known(k, entry, &mut current).map_err(fail)?;
             } else if !entry.work.changes_terrain() {
                 if !self.options.outputs.has(entry.work.verb()) {
                     continue;
@@ -142,6 +149,20 @@ impl Runner<'_> {
             Cow::Owned(window) => Arc::new(window),
         };
         Ok(Ran::ToTheEnd(terrain, current.history))
+    }
+
+    /// Tells what looks on of processes whose ground was in the cache.
+    fn tell_known(&self, stage: usize, entry: &Entry, slot: &mut Slot) -> Result<()> {
+        let (Some(look), Work::Evolve(_)) = (self.options.look, &entry.work) else { return Ok(()) };
+        let ended = slot.history.last().and_then(|event| event.outcome).map(|o| (o.time, o.steps));
+        let ((time, steps), ground) = (ended.unwrap_or_default(), self.terrain(slot)?);
+        look.ended(stage, &|| Left { ground: ground.clone(), time, steps });
+        Ok(())
+    }
+
+    /// Whether what looks on has changed the ground, so that it is no longer what its key says.
+    fn is_changed(&self) -> bool {
+        self.options.look.is_some_and(Looker::has_changed_it)
     }
 
     /// Tells what readers of files noted.
@@ -252,7 +273,7 @@ impl Runner<'_> {
                 let (recipe, options, watch) = (self.recipe, self.options, self.watch_of(entry));
                 let checkpoint = self.checkpoint(index, key, watch);
                 let Some(coarser) = recipe.coarser_levels(index, options)? else { return Ok(None) };
-                let run = Run { recipe, options, evolve, watch, seed };
+                let run = Run { recipe, options, evolve, stage: index, watch, seed };
                 let evolving = Evolving { run, coarser, checkpoint, out };
                 let Some((terrain, ended)) = before.visit(evolving)? else {
                     return Ok(None);
@@ -265,7 +286,7 @@ impl Runner<'_> {
             Work::Once(stage) => stage.apply(Some(&*self.terrain(current)?), &context)?,
         };
         let (terrain, event) = (Arc::new(terrain), event(entry, outcome));
-        if let Some(cache) = self.cache
+        if let Some(cache) = self.cache.filter(|_| !self.is_changed())
             && let Err(e) = cache.store(key, &terrain, &event)
         {
             self.note(format!("cache: {e}; the run goes on without it"));

@@ -53,6 +53,9 @@ pub(in crate::recipe) fn input_paths(inputs: &[&str], json: &Json) -> Vec<String
 }
 
 fn maps_in(json: &Json, paths: &mut Vec<String>) {
+    if let Json::Array(list) = json {
+        list.iter().for_each(|value| maps_in(value, paths));
+    }
     if let Json::Object(map) = json {
         paths.extend(["image", "raster"].iter().filter_map(|k| json[*k].as_str()).map(String::from));
         map.values().for_each(|value| maps_in(value, paths));
