@@ -40,6 +40,8 @@ export class LandView {
   beside: Beside | null = null;
   orbit: Orbit | null = null;
   drawn: Drawn | null = null;
+  /** Called when a picture of the newest state is begun. */
+  onBegin: () => void = () => {};
   /** Called after each picture, with the milliseconds that it took. */
   onDrawn: (milliseconds: number) => void = () => {};
 
@@ -109,6 +111,7 @@ export class LandView {
     this.drawing = requestAnimationFrame(() => {
       const start = performance.now();
       this.asked = false;
+      this.onBegin();
       this.draw(this.quick);
       whenDone(this.renderer.getContext() as WebGL2RenderingContext, () => {
         this.drawing = 0;

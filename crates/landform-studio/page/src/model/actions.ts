@@ -15,6 +15,7 @@ let session: Session;
 /** Frames that are drawn next and then acknowledged. */
 let toAcknowledge: number[] = [];
 let stampToDraw: number | null = null;
+let stampInWork: number | null = null;
 /** Stamps of events whose pictures have not come yet. */
 const dragStamps = new Set<number>();
 
@@ -143,12 +144,18 @@ function take(frame: Frame): void {
   });
 }
 
-/** Called when the newest state has been drawn: acknowledges its frames and measures. */
-export function drawnNow(): void {
+/** Called when a picture of the newest state is begun: the server may send the next. */
+export function begunNow(): void {
   acknowledge();
-  if (stampToDraw === null) return;
-  const whole = performance.now() - stampToDraw;
+  stampInWork = stampToDraw;
   stampToDraw = null;
+}
+
+/** Called when that picture has been drawn: measures. */
+export function drawnNow(): void {
+  if (stampInWork === null) return;
+  const whole = performance.now() - stampInWork;
+  stampInWork = null;
   if (whole < 0 || whole > 60_000) return;
   store.latencies.push(whole);
   if (store.latencies.length > 400) store.latencies.shift();
