@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use landform::core::Result;
 use landform_studio::{Server, Settings};
@@ -39,8 +40,15 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     if !args.no_open {
         open(&address);
     }
-    let end = server.ender();
-    ctrlc::set_handler(end).ok();
+    let (end, asked) = (server.ender(), AtomicBool::new(false));
+    ctrlc::set_handler(move || {
+        // What is computed may take a while to end; whoever asks twice does not wait for it.
+        if asked.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+        end();
+    })
+    .ok();
     server.serve()?;
     Ok(ExitCode::SUCCESS)
 }

@@ -20,7 +20,7 @@ use landform_core::terrain::{AnyTerrain, Layer, Surface};
 /// impl Looker for Highest {
 ///     fn look(&self, moment: &mut dyn Moment) -> landform::Result<ControlFlow<()>> {
 ///         let highest = moment.ground().elevation().iter().fold(0.0, |a, &z| f64::max(a, z));
-///         self.0.store(highest as u64, Ordering::Relaxed);
+///         self.0.store(highest.round() as u64, Ordering::Relaxed);
 ///         Ok(ControlFlow::Continue(()))
 ///     }
 /// }

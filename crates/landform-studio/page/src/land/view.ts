@@ -2,13 +2,11 @@
 import { GLSL3, LinearFilter, Matrix4, Mesh, OrthographicCamera, PerspectiveCamera, RawShaderMaterial, Scene, WebGLRenderer, WebGLRenderTarget } from "three";
 import { extent } from "../model/raster.ts";
 import { eye, FIELD_OF_VIEW, homeView, type Orbit } from "./camera.ts";
+import { drawsInSoftware, whenDone } from "./gpu.ts";
 import { fullPicture } from "./mesh.ts";
 import { COPY_FRAGMENT, SKY_FRAGMENT, SKY_VERTEX } from "./shaders.ts";
 import type { LandState } from "./state.ts";
 import { Terrain, type Drawn } from "./terrain.ts";
-
-/** Longest wait for the graphics card, ms. */
-const LONGEST_DRAW = 5000;
 
 /** A second state to the right of `split` (0 to 1 of the width), or in place of the first. */
 export interface Beside {
@@ -42,6 +40,8 @@ export class LandView {
   beside: Beside | null = null;
   orbit: Orbit | null = null;
   drawn: Drawn | null = null;
+  /** Called when a picture of the newest state is begun. */
+  onBegin: () => void = () => {};
   /** Called after each picture, with the milliseconds that it took. */
   onDrawn: (milliseconds: number) => void = () => {};
 
@@ -111,29 +111,15 @@ export class LandView {
     this.drawing = requestAnimationFrame(() => {
       const start = performance.now();
       this.asked = false;
+      this.onBegin();
       this.draw(this.quick);
-      this.whenDone(() => {
+      whenDone(this.renderer.getContext() as WebGL2RenderingContext, () => {
         this.drawing = 0;
         this.lastTook = performance.now() - start;
         this.onDrawn(this.lastTook);
         if (this.asked) this.begin();
       });
     });
-  }
-
-  /** Calls once the graphics card has drawn all that it was given. */
-  private whenDone(done: () => void): void {
-    const gl = this.renderer.getContext() as WebGL2RenderingContext;
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    const until = performance.now() + LONGEST_DRAW;
-    const look = () => {
-      const state = fence && !gl.isContextLost() && performance.now() < until ? gl.clientWaitSync(fence, 0, 0) : gl.ALREADY_SIGNALED;
-      if (state === gl.TIMEOUT_EXPIRED) return void window.setTimeout(look, 2);
-      if (fence) gl.deleteSync(fence);
-      done();
-    };
-    look();
   }
 
   private draw(quick: boolean): void {
@@ -250,17 +236,4 @@ function project(m: Matrix4, x: number, y: number, z: number): [number, number, 
     (e[1]! * x + e[5]! * y + e[9]! * z + e[13]!) / w,
     (e[2]! * x + e[6]! * y + e[10]! * z + e[14]!) / w,
   ];
-}
-
-let software: boolean | null = null;
-
-/** Whether the browser draws by the processor; asked once, of a canvas that is thrown away. */
-function drawsInSoftware(): boolean {
-  if (software !== null) return software;
-  const context = document.createElement("canvas").getContext("webgl2");
-  const info = context?.getExtension("WEBGL_debug_renderer_info");
-  const name = String(context && info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  software = /swiftshader|llvmpipe|software|basic render/i.test(name);
-  return software;
 }

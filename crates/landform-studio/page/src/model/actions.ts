@@ -6,15 +6,16 @@ import { Session, type Answer } from "../protocol/session.ts";
 import type { Asked, GalleryEntry, Place, Stage, StageInfo, Told, Value } from "../protocol/messages.ts";
 import { parseQuantity } from "../form/quantity.ts";
 import { Forms, type Schema } from "../form/schema.ts";
-import { Assembler, type Raster } from "./raster.ts";
+import { keepPast } from "./past.ts";
+import { Assembler } from "./raster.ts";
 import * as store from "./store.ts";
 
-const MOST_PAST_BYTES = 192 * 2 ** 20;
 const assembler = new Assembler();
 let session: Session;
 /** Frames that are drawn next and then acknowledged. */
 let toAcknowledge: number[] = [];
 let stampToDraw: number | null = null;
+let stampInWork: number | null = null;
 /** Stamps of events whose pictures have not come yet. */
 const dragStamps = new Set<number>();
 
@@ -143,29 +144,18 @@ function take(frame: Frame): void {
   });
 }
 
-/** Keeps a run's pictures: a new level, revision or an earlier time begins a new run. */
-function keepPast(next: Map<string, Raster>): void {
-  const ground = next.get("elevation");
-  if (!ground) return;
-  const past = store.past.value;
-  const last = past.at(-1)?.get("elevation");
-  const sameRun = last && last.level === ground.level && last.revision === ground.revision;
-  const goesOn = sameRun && ground.time > last.time;
-  const again = sameRun && ground.time === last.time;
-  const kept = goesOn ? [...past, next] : again ? [...past.slice(0, -1), next] : [next];
-  const bytes = ground.z.byteLength * next.size;
-  // Every other picture goes when there are too many, so that the whole course stays.
-  const most = Math.max(8, Math.floor(MOST_PAST_BYTES / bytes));
-  store.past.value = kept.length > most ? kept.filter((_, i) => i % 2 === 0 || i === kept.length - 1) : kept;
-  if (!goesOn && !again) store.pastAt.value = null;
+/** Called when a picture of the newest state is begun: the server may send the next. */
+export function begunNow(): void {
+  acknowledge();
+  stampInWork = stampToDraw;
+  stampToDraw = null;
 }
 
-/** Called when the newest state has been drawn: acknowledges its frames and measures. */
+/** Called when that picture has been drawn: measures. */
 export function drawnNow(): void {
-  acknowledge();
-  if (stampToDraw === null) return;
-  const whole = performance.now() - stampToDraw;
-  stampToDraw = null;
+  if (stampInWork === null) return;
+  const whole = performance.now() - stampInWork;
+  stampInWork = null;
   if (whole < 0 || whole > 60_000) return;
   store.latencies.push(whole);
   if (store.latencies.length > 400) store.latencies.shift();

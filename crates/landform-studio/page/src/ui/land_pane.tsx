@@ -6,7 +6,7 @@ import { pick } from "../land/pick.ts";
 import { LandView } from "../land/view.ts";
 import { contourInterval } from "../map/contours.ts";
 import { endStroke, radius, strokePoint } from "../model/brush.ts";
-import { drawnNow } from "../model/actions.ts";
+import { begunNow, drawnNow } from "../model/actions.ts";
 import { extent } from "../model/raster.ts";
 import { brushAt, contours, ground, homeAsked, land, note, painting, shownLook, snowLine, sunAzimuth, sunHeight, tall, viewing } from "../model/store.ts";
 import { drawnStates } from "./compared.ts";
@@ -31,6 +31,7 @@ export function LandPane() {
       return;
     }
     view.orbit = kept;
+    view.onBegin = begunNow;
     view.onDrawn = drawnNow;
     const stopResizing = follow(element, (w, h) => {
       view.resize(w, h);

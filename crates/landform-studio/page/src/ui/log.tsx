@@ -14,6 +14,7 @@ export function LogPanel() {
     <footer class="log" data-testid="log">
       {logOpen.value && (
         <div ref={lines} class="log-lines" role="log" aria-live="off" aria-label="Log" tabIndex={0}>
+          {log.value.length === 0 && <p class="dim">Nothing has been noted yet.</p>}
           {log.value.slice(-200).map((l, i) => (
             <p key={i} class={l.kind}>
               <time>{new Date(l.at).toLocaleTimeString()}</time> {l.text}

@@ -2,7 +2,7 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { MapView } from "../map/view.ts";
-import { drawnNow } from "../model/actions.ts";
+import { begunNow, drawnNow } from "../model/actions.ts";
 import { endStroke, radius, strokePoint } from "../model/brush.ts";
 import { extent } from "../model/raster.ts";
 import { brushAt, ground, homeAsked, mapContours, painting, viewing } from "../model/store.ts";
@@ -16,7 +16,11 @@ export function MapPane() {
   useEffect(() => {
     const element = canvas.current!;
     const view = new MapView(element);
-    view.onDrawn = () => viewing.value === "map" && drawnNow();
+    view.onDrawn = () => {
+      if (viewing.value !== "map") return;
+      begunNow();
+      drawnNow();
+    };
     const stopResizing = follow(element, (w, h) => view.resize(w, h));
     const stopDrawing = effect(() => {
       const { state, beside } = drawnStates.value;
