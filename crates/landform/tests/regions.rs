@@ -110,7 +110,7 @@ fn every_recipe_of_the_gallery_has_a_coarser_level() {
         if let (Ok(fine), Ok(few)) = (nodes(&whole), nodes(&coarse)) {
             let share = few as f64 / fine as f64;
             // A quarter of the nodes, of volumes an eighth.
-            let is_volume = ["rock_volume", "tunnels"].iter().any(|stage| recipe.text.contains(stage));
+            let is_volume = ["rock_volume", "tunnels", "to_voxels"].iter().any(|stage| recipe.text.contains(stage));
             let shares = if is_volume { 0.1..0.2 } else { 0.2..0.35 };
             assert!(shares.contains(&share), "{}: {few} of {fine}", recipe.name);
         }

@@ -269,14 +269,12 @@ fn threads_do_not_show() {
 }
 
 /// PE8: the same seeds on the same hill.
-fn on_a_hill<T: Erodible>(ground: T, particles: u64) -> Model<T> {
-    run(ground, &on_a_hill_params(particles), 4)
-}
-
-fn on_a_hill_params(particles: u64) -> ParticleErosion {
+/// Strong enough that whole voxels fall.
+fn on_a_hill() -> ParticleErosion {
     ParticleErosion {
-        particles: Some(particles),
+        particles: Some(2500),
         radius: Some(Length::of(15.0)),
+        erosion: Some(2.5e-3),
         max_steps: 300,
         deposits: "rock".into(),
         ..rain()
@@ -309,11 +307,11 @@ fn grounds_agree() {
     let before = raster(n, cell, hill(n, cell));
     let mut layered = before.clone();
     layered.make_layered(&Materials::default());
-    let plain = on_a_hill(before.clone(), 2500);
+    let plain = run(before.clone(), &on_a_hill(), 4);
     let change = |after: &[f64]| after.iter().zip(before.elevation()).map(|(a, b)| a - b).collect::<Vec<_>>();
     let of_plain = change(plain.terrain().elevation());
-    let layered = on_a_hill(layered, 2500);
-    let block = on_a_hill(voxels(n, cell, 16, hill(n, cell)), 2500);
+    let layered = run(layered, &on_a_hill(), 4);
+    let block = run(voxels(n, cell, 16, hill(n, cell)), &on_a_hill(), 4);
     let heights = |block: &VoxelGrid| -> Vec<f64> {
         let fill = block.fill().unwrap();
         (0..n * n).map(|i| (0..16).map(|level| f64::from(fill[level * n * n + i]) * cell).sum()).collect()
@@ -324,8 +322,7 @@ fn grounds_agree() {
         let ground = VoxelGrid::from_fn(before.grid().clone(), 16, 0.0, cell, &Materials::default(), |level, i| {
             solid(level, i).then_some(0)
         });
-        let params = ParticleErosion { voxels: Voxels::Binary, ..on_a_hill_params(2500) };
-        run(ground.unwrap(), &params, 4)
+        run(ground.unwrap(), &ParticleErosion { voxels: Voxels::Binary, ..on_a_hill() }, 4)
     };
     let counted = |block: &VoxelGrid| -> Vec<f64> {
         (0..n * n).map(|i| (0..16).filter(|&l| block.material(l, i).is_some()).count() as f64 * cell).collect()
@@ -344,7 +341,8 @@ fn grounds_agree() {
 
 #[test]
 fn half_the_cell_wears_as_much() {
-    let of = |n: usize, cell: f64| on_a_hill(raster(n, cell, hill(n, cell)), 800).budget().change.eroded;
+    let params = ParticleErosion { particles: Some(800), erosion: None, ..on_a_hill() };
+    let of = |n: usize, cell: f64| run(raster(n, cell, hill(n, cell)), &params, 4).budget().change.eroded;
     let (coarse, fine) = (of(49, 5.0), of(97, 2.5));
     assert!((fine / coarse - 1.0).abs() < 0.1, "{coarse} {fine}");
 }

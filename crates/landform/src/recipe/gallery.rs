@@ -92,7 +92,7 @@ pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Sand and wind", "linear_dunes", "41_linear_dunes.toml"),
     recipe!("Sand and wind", "koh_dunes", "43_koh_dunes.toml"),
     recipe!("Sand and wind", "dunes_and_rocks", "44_dunes_and_rocks.toml"),
-    recipe!("Sand and wind", "hoodoos", "88_hoodoos.toml"),
+    recipe!("Sand and wind", "capped_rocks", "88_capped_rocks.toml"),
     recipe!("Coasts", "fractal_coasts", "24_fractal_coasts.toml"),
     recipe!("Coasts", "coasts_global", "46_coasts_global.toml"),
     recipe!("Coasts", "coasts_local", "47_coasts_local.toml"),

@@ -13,6 +13,8 @@ use super::VoxelGrid;
 
 /// Voxels along a column that are looked at on each side.
 const REACH: i64 = 3;
+/// Voxels along its axis within which a surface is beside a place.
+const FARTHEST: f64 = 2.0;
 /// A voxel that is so full ends a column.
 const FULL: f32 = 0.999;
 
@@ -142,13 +144,19 @@ impl VoxelGrid {
             normal.map(|v| out * v / length)
         };
         let (height, slopes) = self.sheet(facing, from);
+        // Where the column shows another surface, as deep in rock, the place is left where it is.
+        let is_beside = |height: f64| (height - from[axis]).abs() <= FARTHEST;
+        if !is_beside(height) {
+            let [x, y, z] = normal([0.0; 2]);
+            return (place, [x, -y, z]);
+        }
         let off = normal(slopes);
         let depth = (height - from[axis]) * sides[axis] * off[axis];
         let mut at = from;
         at[axis] = height;
         (at[a], at[b]) = (at[a] + depth * off[a] / sides[a], at[b] + depth * off[b] / sides[b]);
-        let (height, slopes) = self.sheet(facing, at);
-        at[axis] = height;
+        let (beside, slopes) = self.sheet(facing, at);
+        at[axis] = if is_beside(beside) { beside } else { height };
         let moved = [0, 1, 2].map(|k| (at[k] - from[k]) * sides[k]);
         // Rows run from the north.
         let turned = |[x, y, z]: [f64; 3]| [x, -y, z];
