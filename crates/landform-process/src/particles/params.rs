@@ -113,7 +113,8 @@ pub struct ParticleErosion {
     pub max_steps: u32,
     /// Material as which worn rock is laid down, on ground with layers or in voxels.
     pub deposits: String,
-    /// Voxels only: "density", they may be full in part; or "binary".
+    /// Voxels only: "density", they may be full in part; or "binary", where those that are not
+    /// full in part (`to_voxels` with `partial = false`) move as a whole.
     pub voxels: Voxels,
 }
 
@@ -193,6 +194,11 @@ impl Params for ParticleErosion {
             Flow::Uniform(velocity) => velocity.iter().try_for_each(|v| fast("flow.uniform", v.si()))?,
             Flow::Wind(wind) => fast("flow.wind.speed", wind.speed.si())?,
             Flow::None | Flow::Formula(_) => {}
+        }
+        if let Some(Emitter::Point(ball)) = &self.emitter
+            && !(ball.radius.si() >= 0.0)
+        {
+            return Err(Error::parameter("emitter.point.radius", ball.radius, "0 m or more"));
         }
         if let Some(Emitter::Box(sides)) = &self.emitter
             && let Some(k) = (0..3).find(|&k| !(sides.low[k].si() <= sides.high[k].si()))

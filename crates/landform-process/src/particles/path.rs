@@ -345,7 +345,8 @@ fn below<T: Erodible>(ground: &T, bounds: &Bounds, at: [f64; 3]) -> [f64; 3] {
     for _ in 0..most {
         let under = [place[0], place[1], place[2] - step];
         match ground.depth_at(under) {
-            Some(depth) if depth < 0.0 => place = under,
+            // Where the way to the ground is known it is gone at once.
+            Some(depth) if depth < 0.0 => place = [under[0], under[1], under[2] - (-depth - step).max(0.0)],
             _ => break,
         }
     }

@@ -196,6 +196,10 @@ impl VoxelGrid {
                 (at, looked) = (at - out, looked + 1);
             }
         }
+        // Rock whose surface is not within reach is not worn, nor are the cut sides of the block.
+        if solid(self, voxel, at + out) || axis < 2 && !is_in(at + out) {
+            return 0.0;
+        }
         let mut left = wanted;
         while left > 0.0 && solid(self, voxel, at) && (at - near).abs() <= 2 * reach {
             voxel[axis] = at;
