@@ -71,7 +71,7 @@ pub(super) fn trace<T: Erodible>(ground: &T, fluids: &Fluids, law: &Law, particl
     let touch = TOUCH * body.radius.max(cell);
     let least = (2.0 * super::motion::GRAVITY * touch).sqrt();
     let walk = Walk { ground, law, body, cell, touch, least, volume: body.volume(), state, load, hits: 0, trace };
-    walk.to_the_end(fluids)
+    walk.end(fluids)
 }
 
 /// A particle on its way.
@@ -118,7 +118,7 @@ struct Flight {
 }
 
 impl<T: Erodible> Walk<'_, T> {
-    fn to_the_end(mut self, fluids: &Fluids) -> Result<Trace> {
+    fn end(mut self, fluids: &Fluids) -> Result<Trace> {
         let depth = self.ground.depth_at(self.state.at).unwrap_or(0.0);
         let mut flight = Flight { depth, since: 0.0, highest: -depth };
         let (mut rolling, mut stuck) = (None, 0);

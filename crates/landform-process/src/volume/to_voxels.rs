@@ -68,8 +68,9 @@ impl Convert<HeightField, VoxelGrid> for ToVoxels {
         let materials = source.layers().map_or_else(Materials::default, |layers| layers.materials().clone());
         let nodes = z.len();
         let part = |level: usize, node: usize| {
+            let part = (z[node] - bottom) / height - level as f64;
             // Nodata is empty.
-            ((z[node] - bottom) / height - level as f64).max(0.0).min(1.0)
+            if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) }
         };
         let material = |level: usize, node: usize| {
             let part = part(level, node);
