@@ -186,8 +186,9 @@ pub trait NodeSurface: Terrain {
         None
     }
 
-    /// Moves the ground: beside [`NodeSurface::change_nodes`] and [`NodeSurface::change_depth`] the one way
-    /// in which its surface changes. `update` is given the elevations (m); layers follow by `layer`.
+    /// Moves the ground: beside [`NodeSurface::change_nodes`] and [`NodeSurface::change_depth`] the
+    /// one way in which its surface changes. `update` is given the elevations (m); layers follow by
+    /// `layer`.
     ///
     /// **Cost** that of `update`; on layered ground O(nodes · layers) more.
     fn change<R>(&mut self, layer: Layer, update: impl FnOnce(&mut [f64]) -> R) -> R {

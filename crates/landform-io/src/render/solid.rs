@@ -101,8 +101,8 @@ impl<'a> Scene<'a> {
         None
     }
 
-    /// That of the surface which the parts of voxels add up to, the mean around a place: by how full
-    /// they are alone, slopes would be stairs.
+    /// That of the surface which the parts of voxels add up to, the mean around a place: by how
+    /// full they are alone, slopes would be stairs.
     fn normal(&self, p: Vector) -> Vector {
         // The sides of the block are cuts.
         for k in 0..2 {

@@ -3,9 +3,9 @@
 //! # Model
 //! Shear rate θ = v/l, τ = θ^½; detached: K max(0, τ − τ_c)^a times time and the area πR² of
 //! contact, no more than finds room; laid: ω |w_s| f(C) C times time and area, no more than is
-//! carried. C is the load as a part of the particle's volume, w_s the speed with which its excess of
-//! weight over that of what carries it (the particle itself, or a denser fluid) makes it sink. K is
-//! that of rock times the erodibility of the material over that of rock.
+//! carried. C is the load as a part of the particle's volume, w_s the speed with which its excess
+//! of weight over that of what carries it (the particle itself, or a denser fluid) makes it sink. K
+//! is that of rock times the erodibility of the material over that of rock.
 //!
 //! # Sources
 //! Wojtan et al. (2007); Hartley (thesis), Equations 6.1 to 6.4, with the time, the limits by what

@@ -2,8 +2,8 @@
 //!
 //! # Model
 //! A particle moves by gravity, buoyancy and drag through air, water and their currents
-//! ([`motion`], [`flow`], [`wind`]); at each contact with the ground it wears it and lays down a part
-//! of its load ([`law`]); at its end it lays down the rest, or leaves with it.
+//! ([`motion`], [`flow`], [`wind`]); at each contact with the ground it wears it and lays down a
+//! part of its load ([`law`]); at its end it lays down the rest, or leaves with it.
 //!
 //! # Method
 //! Each iteration sends out a batch. The ways of up to 256 particles are followed over ground that
@@ -13,17 +13,18 @@
 //!
 //! # Limits
 //! Particles do not meet each other. Whole voxels are steps, which slow particles down: on a hill
-//! they wore six tenths of what parts of voxels did. Base levels are not held: the ground moves wherever particles
-//! touch it. The flow does not feel what particles do before the next iteration. A particle that
-//! rests on its way through water lets its load fall straight down. A voxel is of one material: in a
-//! mixture the larger part gives the name.
+//! they wore six tenths of what parts of voxels did. Base levels are not held: the ground moves
+//! wherever particles touch it. The flow does not feel what particles do before the next iteration.
+//! A particle that rests on its way through water lets its load fall straight down. A voxel is of
+//! one material: in a mixture the larger part gives the name.
 //!
 //! # Sources
 //! Hartley (thesis), chapter 6, with the corrections that [`motion`], [`law`] and [`presets`] name.
 //!
 //! # Checked by
-//! `tests`: Stokes, hindered settling, volumes of brushes, mass, limits of loads, bounces, energy on
-//! slopes without friction, rest, buoyancy, cones, layers against plain ground, threads, the wind.
+//! `tests`: Stokes, hindered settling, volumes of brushes, mass, limits of loads, bounces, energy
+//! on slopes without friction, rest, buoyancy, cones, layers against plain ground, threads, the
+//! wind.
 //!
 //! # Example
 //! Rain on a hill carries ground from its top to its foot:

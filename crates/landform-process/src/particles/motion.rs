@@ -1,9 +1,9 @@
 //! How a particle moves through air and water.
 //!
 //! # Model
-//! ρ V dv/dt = V (ρ − ρ_f) g − 6π μ R (v − u), with the density ρ of the particle and its load, that
-//! of the fluid ρ_f, the velocity u of the fluid, the radius R and the viscosity μ. Its solution over
-//! a step in which these do not change is
+//! ρ V dv/dt = V (ρ − ρ_f) g − 6π μ R (v − u), with the density ρ of the particle and its load,
+//! that of the fluid ρ_f, the velocity u of the fluid, the radius R and the viscosity μ. Its
+//! solution over a step in which these do not change is
 //!
 //! v(t) = v∞ + (v − v∞) exp(−t/τ), x(t) = x + v∞ t + (v − v∞) τ (1 − exp(−t/τ)),
 //!
@@ -13,8 +13,8 @@
 //! # Sources
 //! Hartley (thesis), Equations 6.5 to 6.8, corrected: forces are divided by the mass; w_s is not
 //! added to gravity, of which it follows; without drag there would be no terminal velocity.
-//! Hindered settling: Richardson & Zaki (1954), (1 − C)^n; the form 1 − (C/C_max)^n of the thesis is
-//! flat where there is little load.
+//! Hindered settling: Richardson & Zaki (1954), (1 − C)^n; the form 1 − (C/C_max)^n of the thesis
+//! is flat where there is little load.
 
 use landform_core::math;
 
@@ -67,7 +67,8 @@ impl Body {
         2.0 / 9.0 * density * self.radius * self.radius / self.viscosity
     }
 
-    /// Stokes' velocity upwards at which it ends in a fluid at rest, m/s; infinite without viscosity.
+    /// Stokes' velocity upwards at which it ends in a fluid at rest, m/s; infinite without
+    /// viscosity.
     pub(super) fn terminal(&self, density: f64, fluid: f64) -> f64 {
         2.0 / 9.0 * (fluid - density) * GRAVITY * self.radius * self.radius / self.viscosity
     }

@@ -10,6 +10,11 @@ use super::presets::Phenomenon;
 use super::surroundings::{Emitter, FASTEST, Flow, FlowIn};
 
 /// How ground in voxels is removed and laid.
+///
+/// ```
+/// use landform_process::particles::Voxels;
+/// assert_eq!(Voxels::default(), Voxels::Density);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Voxels {
@@ -21,6 +26,11 @@ pub enum Voxels {
 }
 
 /// Law by which a load slows settling.
+///
+/// ```
+/// use landform_process::particles::Hindrance;
+/// assert_eq!(Hindrance::default(), Hindrance::RichardsonZaki);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Hindrance {
@@ -34,6 +44,13 @@ pub enum Hindrance {
 /// Erosion by particles: drops, waves, grains or flows move through air and water, hit the ground,
 /// wear it and lay down what they carry. Each iteration sends out a batch of particles. The
 /// `phenomenon` sets all parameters that are not given. Runs without a clock.
+///
+/// ```
+/// use landform_core::verb::Params;
+/// use landform_process::particles::ParticleErosion;
+/// let bouncy = ParticleErosion { restitution: Some(1.5), ..ParticleErosion::default() };
+/// assert!(bouncy.validate().is_err());
+/// ```
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ParticleErosion {
@@ -84,8 +101,8 @@ pub struct ParticleErosion {
     #[schemars(extend("x-min" = 0.1, "x-max" = 5.0))]
     pub shear_exponent: f64,
     /// Effective viscosity, Pa s: it sets the drag, and how fast particles settle. If not given, a
-    /// particle of the density of water falls through air at half of the speed at which waves of its
-    /// radius run.
+    /// particle of the density of water falls through air at half of the speed at which waves of
+    /// its radius run.
     #[schemars(extend("x-min" = 0.0, "x-max" = 1e12))]
     pub viscosity: Option<f64>,
     /// Law by which a load slows settling.

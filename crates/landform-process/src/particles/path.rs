@@ -3,11 +3,11 @@
 //! # Method
 //! Steps of half a cell. A particle in the air moves as [`super::motion`] says until it meets the
 //! ground, from which it bounces or on which it rolls. One that rolls moves along the surface under
-//! what pushes it there, less friction, until the ground falls away faster than the particle does. A
-//! hop that is lower than a part of the radius is no hop: the particle goes on rolling, and a kink
-//! of the ground is no blow unless it is steep. What the way up would add to its energy is taken
-//! from its velocity, so that energy never grows on ground without friction. Contact lasts as long
-//! as the particle rolls; a blow lasts for the time since the last one, and no longer than the
+//! what pushes it there, less friction, until the ground falls away faster than the particle does.
+//! A hop that is lower than a part of the radius is no hop: the particle goes on rolling, and a
+//! kink of the ground is no blow unless it is steep. What the way up would add to its energy is
+//! taken from its velocity, so that energy never grows on ground without friction. Contact lasts as
+//! long as the particle rolls; a blow lasts for the time since the last one, and no longer than the
 //! particle needs for its radius.
 
 use landform_core::Result;
@@ -232,8 +232,8 @@ impl<T: Erodible> Walk<'_, T> {
         }
     }
 
-    /// Puts it on the ground with a velocity, or leaves it where it is, at rest, where it has not the
-    /// energy to come up.
+    /// Puts it on the ground with a velocity, or leaves it where it is, at rest, where it has not
+    /// the energy to come up.
     fn settle_at(&mut self, point: [f64; 3], velocity: [f64; 3], around: &Around) {
         let most = if around.flow == [0.0; 3] { Some(2.0 * around.rise * (point[2] - self.state.at[2])) } else { None };
         self.state = match no_faster(velocity, self.state.velocity, most, around.rise.abs() * self.cell) {
@@ -271,8 +271,8 @@ fn along(velocity: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
     turned.map(|v| v * scale)
 }
 
-/// An acceleration along the ground less that of friction, which acts against the motion, or against
-/// the pull on what is at rest.
+/// An acceleration along the ground less that of friction, which acts against the motion, or
+/// against the pull on what is at rest.
 fn rubbed(weight: [f64; 3], friction: f64, velocity: [f64; 3], pull: [f64; 3]) -> [f64; 3] {
     let against = if velocity == [0.0; 3] { pull } else { velocity };
     let length = dot(against, against).sqrt();

@@ -6,6 +6,11 @@ use serde::{Deserialize, Serialize};
 use super::surroundings::{Emitter, FlowIn};
 
 /// What particles are.
+///
+/// ```
+/// use landform_process::particles::Phenomenon;
+/// assert_eq!(Phenomenon::default(), Phenomenon::Rain);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Phenomenon {
@@ -57,10 +62,10 @@ type Row = (u64, u64, [f64; 2], f64, f64, [f64; 3]);
 
 impl Phenomenon {
     /// Hartley (thesis), Table 6.1. For the volcano it has a restitution of 5 and a radius of 1,
-    /// which are taken as swapped. Its factors are without units: capacity is taken in hundredths of
-    /// the particle's volume, deposition in tenths, erosion in tenths of mm/s, or in 2 mm/s for what
-    /// strikes rock and does not run over the ground: with less, rills and notches do not form, with
-    /// more, particles are full after a few steps and heap up what they carry.
+    /// which are taken as swapped. Its factors are without units: capacity is taken in hundredths
+    /// of the particle's volume, deposition in tenths, erosion in tenths of mm/s, or in 2 mm/s for
+    /// what strikes rock and does not run over the ground: with less, rills and notches do not
+    /// form, with more, particles are full after a few steps and heap up what they carry.
     const fn row(self) -> Row {
         match self {
             Self::Rain => (100, 10, [1.0, 1.0], 1.0, 1000.0, [10.0, 2.5, 0.3]),

@@ -8,6 +8,13 @@ use serde::{Deserialize, Serialize};
 pub(super) const FASTEST: f64 = 1000.0;
 
 /// Where particles start.
+///
+/// ```
+/// use landform_core::units::Length;
+/// use landform_process::particles::{Emitter, PointParams};
+/// let [at, radius] = [[600.0, 1000.0, 560.0].map(Length::of), [20.0; 3].map(Length::of)];
+/// assert_ne!(Emitter::Sky, Emitter::Point(PointParams { at, radius: radius[0] }));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 pub enum Emitter {
@@ -24,6 +31,13 @@ pub enum Emitter {
 }
 
 /// A ball in which particles start.
+///
+/// ```
+/// use landform_core::units::Length;
+/// use landform_process::particles::PointParams;
+/// let vent = PointParams { at: [600.0, 1000.0, 560.0].map(Length::of), radius: Length::of(20.0) };
+/// assert_eq!(vent.radius.si(), 20.0);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointParams {
@@ -35,6 +49,13 @@ pub struct PointParams {
 }
 
 /// A box in which particles start.
+///
+/// ```
+/// use landform_core::units::Length;
+/// use landform_process::particles::BoxParams;
+/// let [low, high] = [[0.0; 3], [50.0, 50.0, 10.0]].map(|corner| corner.map(Length::of));
+/// assert!(BoxParams { low, high }.high[2].si() > 0.0);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoxParams {
@@ -45,6 +66,11 @@ pub struct BoxParams {
 }
 
 /// Velocity of air or water.
+///
+/// ```
+/// use landform_process::particles::Flow;
+/// assert_eq!(Flow::default(), Flow::None);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 pub enum Flow {
@@ -55,11 +81,19 @@ pub enum Flow {
     Uniform([Rate; 3]),
     /// Three formulas of the position, m/s: { formula = ["1", "sin(x/50)", "0"] }.
     Formula([String; 3]),
-    /// A wind that the ground turns and quickens: { wind = { from = "270 deg", speed = "10 m/s" } }.
+    /// A wind that the ground turns and quickens: { wind = { from = "270 deg", speed = "10 m/s" }
+    /// }.
     Wind(WindParams),
 }
 
 /// A wind over terrain.
+///
+/// ```
+/// use landform_core::units::{Angle, Rate};
+/// use landform_process::particles::{Flow, WindParams};
+/// let west = WindParams { from: Angle::of(270.0), speed: Rate::from_si(10.0) };
+/// assert_ne!(Flow::Wind(west), Flow::None);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WindParams {
@@ -71,6 +105,11 @@ pub struct WindParams {
 }
 
 /// Medium in which the flow is.
+///
+/// ```
+/// use landform_process::particles::FlowIn;
+/// assert_ne!(FlowIn::Water, FlowIn::Air);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum FlowIn {

@@ -97,7 +97,8 @@ fn gradient(values: &[f64], size: [usize; 2], spacing: f64, i: usize) -> [f64; 2
     [slope(col, size[0], 1), slope(row, size[1], size[0])]
 }
 
-/// Values blurred by a Gaussian kernel of `sigma` points, cut at three; near sides by what there is.
+/// Values blurred by a Gaussian kernel of `sigma` points, cut at three; near sides by what there
+/// is.
 fn blurred(values: &[f64], size: [usize; 2], sigma: f64) -> Vec<f64> {
     let reach = ((3.0 * sigma).ceil() as usize).min(size[0].max(size[1]));
     let kernel: Vec<f64> = (0..=reach).map(|k| math::exp(-0.5 * (k as f64 / sigma) * (k as f64 / sigma))).collect();

@@ -8,7 +8,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Turns a raster into voxels, a column under each node, so that the ground can have caves and
-/// overhangs. Layers give each voxel its material. Voxels at the surface are full in part; fields, features, chosen outlets and the place of nodata are lost.
+/// overhangs. Layers give each voxel its material. Voxels at the surface are full in part; fields,
+/// features, chosen outlets and the place of nodata are lost.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ToVoxels {

@@ -1,10 +1,10 @@
 //! Voxels that a brush removes and deposits: whole ones, or parts where they may be full in part.
 //!
 //! # Sources
-//! Hartley (thesis), Equations 6.13 and 6.14: parts of voxels, and whole ones. A weight of 1 - d/R in
-//! a ball, as there, makes ground under the surface porous: parts are taken at the surface, by the
-//! half-sphere of Equation 6.9 across it. Its `floor` of negative numbers would erode more than was
-//! asked for, so the rest stays with who asks.
+//! Hartley (thesis), Equations 6.13 and 6.14: parts of voxels, and whole ones. A weight of 1 - d/R
+//! in a ball, as there, makes ground under the surface porous: parts are taken at the surface, by
+//! the half-sphere of Equation 6.9 across it. Its `floor` of negative numbers would erode more than
+//! was asked for, so the rest stays with who asks.
 
 use super::facing::Facing;
 use super::{EMPTY, VoxelGrid};

@@ -1,9 +1,10 @@
 //! The surface of voxels as heights of columns along the axis that it faces most.
 //!
 //! # Method
-//! How full the voxels of a column are, from the full one behind the surface to the empty one before
-//! it, adds up to where the surface is: on ground with one height a node this is that height, and
-//! between columns it is bilinear as on a raster. Walls and roofs have columns of their own axes.
+//! How full the voxels of a column are, from the full one behind the surface to the empty one
+//! before it, adds up to where the surface is: on ground with one height a node this is that
+//! height, and between columns it is bilinear as on a raster. Walls and roofs have columns of their
+//! own axes.
 //!
 //! # Sources
 //! The height functions of methods with volumes of fluid: Cummins, Francois & Kothe (2005),
