@@ -176,6 +176,16 @@ impl Page {
         }
     }
 
+    /// Waits until a frame fits, of those that are here or come.
+    async fn shows(&mut self, what: &str, fits: impl Fn(&Json) -> bool) {
+        let began = Instant::now();
+        while !self.frames.iter().any(|(header, _)| fits(header)) {
+            let times: Vec<_> = self.frames.iter().map(|(h, _)| (&h["layer"], &h["time"])).collect();
+            assert!(began.elapsed() < PATIENCE, "{what}: {times:?} {:?}", self.tells.last());
+            self.next(Duration::from_millis(200)).await;
+        }
+    }
+
     /// Lets pass what comes in a while.
     async fn pass(&mut self, while_: Duration) {
         let end = Instant::now() + while_;
@@ -340,36 +350,30 @@ fn a_run_is_held_stepped_and_goes_on() {
         let mut page = server.page().await;
         page.at_rest("1").await;
         page.ask(json!({ "do": "show", "fields": ["drainage_area", "slope"], "stage": null })).await;
+        // What is shown at once is of the run that ended: it is waited for, or it would come among the steps.
+        page.shows("fields", |h| h["layer"] == "slope" && h["last"] == true).await;
         page.ask(json!({ "do": "pause" })).await;
         page.frames.clear();
-        page.ask(json!({ "do": "step" })).await;
-        while page.frames.is_empty() {
-            page.next(Duration::from_millis(100)).await;
-        }
-        page.pass(Duration::from_millis(300)).await;
+        let at = |header: &Json| (header["time"].as_f64().unwrap() / 31_557_600.0 / 1e4).round();
         let times = |page: &Page| -> Vec<f64> {
-            let elevations = page.frames.iter().filter(|(h, _)| h["layer"] == "elevation");
-            elevations.map(|(h, _)| (h["time"].as_f64().unwrap() / 31_557_600.0 / 1e4).round()).collect()
+            page.frames.iter().filter(|(h, _)| h["layer"] == "elevation").map(|(h, _)| at(h)).collect()
         };
-        assert_eq!(times(&page).last(), Some(&1.0), "{:?}", times(&page));
-        assert!(page.frames.iter().any(|(h, _)| h["layer"] == "drainage_area"));
         page.ask(json!({ "do": "step" })).await;
-        page.pass(Duration::from_millis(300)).await;
-        assert_eq!(times(&page).last(), Some(&2.0), "{:?}", times(&page));
+        page.shows("a step", |h| h["layer"] == "slope" && h["last"] == true).await;
+        assert_eq!(times(&page), [1.0]);
+        page.ask(json!({ "do": "step" })).await;
+        page.shows("two steps", |h| h["layer"] == "slope" && h["last"] == true && at(h) > 1.0).await;
+        assert_eq!(times(&page), [1.0, 2.0]);
         // Another tab sees the same.
         let mut other = server.page().await;
-        other.pass(Duration::from_millis(200)).await;
-        assert_eq!(times(&other).last(), Some(&2.0));
-        assert!(
-            other.tells.iter().any(|t| t["tell"] == "state" && t["paused"] == true && t["steps"] == 2),
-            "{:?}",
-            other.tells
-        );
+        other.shows("another tab", |h| h["layer"] == "elevation").await;
+        assert_eq!(times(&other), [2.0]);
+        other.had(|t| t["tell"] == "state" && t["paused"] == true && t["steps"] == 2).await;
         page.ask(json!({ "do": "play", "pace": 5.0 })).await;
         page.until(|t| t["tell"] == "state" && t["running"] == false).await;
-        page.pass(Duration::from_millis(200)).await;
+        page.shows("the end", |h| h["layer"] == "elevation" && at(h) >= 20.0).await;
         assert_eq!(times(&page).last(), Some(&20.0));
-        assert!(times(&page).windows(2).all(|pair| pair[0] <= pair[1]));
+        assert!(times(&page).windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", times(&page));
         // A held run ends when it is stopped.
         page.ask(json!({ "do": "step" })).await;
         page.until(|t| t["tell"] == "state" && t["paused"] == true && t["running"] == true).await;
@@ -399,9 +403,11 @@ fn a_dragged_value_settles_and_then_runs_from_the_start() {
         page.ask(json!({ "do": "set", "stage": 1, "process": 0, "key": ["rate"], "value": "2 mm/yr", "stamp": 99 }))
             .await;
         page.had(|t| t["tell"] == "latency" && t["stamp"] == 99.0).await;
-        page.pass(Duration::from_millis(300)).await;
+        while !page.tells[tells..].iter().any(|t| t["tell"] == "charts") {
+            page.until(|t| t["tell"] == "charts").await;
+        }
+        page.shows("the end", |h| h["time"].as_f64() == Some(end)).await;
         assert_eq!(page.frames.last().unwrap().0["time"].as_f64().unwrap(), end);
-        assert!(page.tells[tells..].iter().any(|t| t["tell"] == "charts"), "measured after the drag alone");
     });
 }
 
@@ -414,41 +420,40 @@ fn a_held_model_is_painted_and_a_stroke_lifts_the_land() {
         page.ask(json!({ "do": "pause" })).await;
         page.ask(json!({ "do": "step" })).await;
         page.had(|t| t["tell"] == "state" && t["paused"] == true && t["running"] == true).await;
-        page.pass(Duration::from_millis(200)).await;
+        page.shows("a step", |h| h["time"].as_f64().is_some_and(|t| (t - 1e4 * 31_557_600.0).abs() < 1.0)).await;
         let before = page.frames.last().unwrap().0["max"].as_f64().unwrap();
         let paint = |tool: &str| {
             json!({ "do": "paint", "field": "elevation", "tool": tool, "radius": 500.0, "strength": 4000.0,
             "points": [[1000.0, 1500.0, 1.0, 0.0], [2000.0, 1500.0, 1.0, 0.5]] })
         };
         assert_eq!(page.ask(paint("raise")).await["tell"], "done");
-        page.pass(Duration::from_millis(300)).await;
+        page.shows("raised", |h| h["max"].as_f64().unwrap() > before + 1_500.0).await;
         let raised = page.frames.last().unwrap().0["max"].as_f64().unwrap();
-        assert!(raised > before + 1_500.0, "{before} {raised}");
+        page.frames.clear();
         for tool in ["smooth", "level", "lower"] {
             assert_eq!(page.ask(paint(tool)).await["tell"], "done");
         }
         assert_eq!(page.ask(paint("melt")).await["tell"], "refused");
-        page.pass(Duration::from_millis(300)).await;
-        assert!(page.frames.last().unwrap().0["max"].as_f64().unwrap() < raised - 500.0);
+        page.shows("lowered", |h| h["max"].as_f64().unwrap() < raised - 500.0).await;
         page.ask(json!({ "do": "play" })).await;
         page.until(|t| t["tell"] == "state" && t["running"] == false).await;
-        page.pass(Duration::from_millis(300)).await;
+        let ended = |h: &Json| h["last"] == true && h["time"].as_f64().is_some_and(|t| t > 1.99e5 * 31_557_600.0);
+        let max = |h: &Json| h["max"].as_f64().unwrap();
+        page.shows("the end", ended).await;
+        let painted = page.frames.last().map(|(h, _)| max(h)).unwrap();
         // What was painted is not in the text: a run from the start has it not.
         page.frames.clear();
         page.ask(json!({ "do": "run", "level": "auto" })).await;
-        page.at_rest("1").await;
-        let again = page.frames.last().unwrap().0["max"].as_f64().unwrap();
+        page.shows("a run from the start", |h| ended(h) && max(h) != painted).await;
+        let again = page.frames.last().map(|(h, _)| max(h)).unwrap();
         let stroke = json!({ "do": "stroke", "stage": 1, "process": 0, "key": ["rate"], "tool": "raise", "radius": 600, "strength": 5,
             "points": [[500.0, 1500.0, 1.0, 0.0], [2500.0, 1500.0, 1.0, 1.0]] });
         page.frames.clear();
         assert_eq!(page.ask(stroke).await["tell"], "done");
-        page.at_rest("1").await;
-        let lifted = page.frames.last().unwrap().0["max"].as_f64().unwrap();
-        assert!(lifted > again + 300.0, "{again} {lifted}");
+        page.shows("a stroke", |h| ended(h) && max(h) > again + 300.0).await;
         page.frames.clear();
         page.ask(json!({ "do": "undo" })).await;
-        page.at_rest("1").await;
-        assert_eq!(page.frames.last().unwrap().0["max"].as_f64().unwrap(), again);
+        page.shows("the stroke taken back", |h| ended(h) && max(h) == again).await;
         for bad in ["[]", "[[0]]", "[[0,1e300]]", "[[0,0,7]]"] {
             let points: Json = serde_json::from_str(bad).unwrap();
             let paint = json!({ "do": "paint", "tool": "raise", "radius": 1.0, "strength": 1.0, "points": points });
@@ -463,7 +468,9 @@ fn a_page_that_never_acknowledges_gets_two_frames_and_then_the_newest() {
     run(async {
         let mut page = server.page().await;
         page.acks = false;
+        let mut tells = 0;
         for k in 1..30 {
+            tells = page.tells.len();
             let value = format!("{k} mm/yr");
             page.ask(
                 json!({ "do": "set", "stage": 1, "process": 0, "key": ["rate"], "value": value, "dragging": k < 29 }),
@@ -471,14 +478,17 @@ fn a_page_that_never_acknowledges_gets_two_frames_and_then_the_newest() {
             .await;
             page.pass(Duration::from_millis(20)).await;
         }
-        page.pass(Duration::from_millis(1_500)).await;
+        while !page.tells[tells..].iter().any(|t| t["tell"] == "charts") {
+            page.until(|t| t["tell"] == "charts").await;
+        }
+        page.pass(Duration::from_millis(500)).await;
         let numbers: Vec<u64> = page.frames.iter().map(|(h, _)| h["frame"].as_u64().unwrap()).collect();
         assert!(numbers.len() <= 2, "{numbers:?}");
         let last = page.frames.last().unwrap().0.clone();
         page.acknowledge(&last).await;
-        page.pass(Duration::from_millis(500)).await;
+        let number = last["frame"].as_u64().unwrap();
+        page.shows("the newest", |h| h["frame"].as_u64().unwrap() > number + 1).await;
         let (newest, _) = page.frames.last().unwrap();
-        assert!(newest["frame"].as_u64().unwrap() > last["frame"].as_u64().unwrap() + 1, "{numbers:?} {newest}");
         let revision = page.tells.iter().rev().find(|t| t["tell"] == "recipe").unwrap()["revision"].clone();
         assert_eq!(newest["revision"], revision);
     });
