@@ -59,6 +59,11 @@ impl Rock<'_> {
         self.limit_of(law, |layers| layers.surface_number(node, z))
     }
 
+    /// Whether ground anywhere can stand no steeper than an angle.
+    pub(super) fn may_slide(&self, law: &Law) -> bool {
+        law.greatest_slope.is_finite() || self.layers.is_some() && !law.has_limit()
+    }
+
     /// The drop over `length` that ground at `z` can stand above `base`.
     #[inline]
     pub(super) fn stable_drop(&self, law: &Law, node: usize, z: f64, base: f64, length: f64) -> f64 {

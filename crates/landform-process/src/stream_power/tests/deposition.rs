@@ -140,3 +140,36 @@ fn what_was_laid_down_and_cut_is_summed_to_the_budget() {
         assert!((cut / change.eroded - 1.0).abs() < 1e-9, "{cut} {}", change.eroded);
     }
 }
+
+#[test]
+fn rounds_that_end_early_cost_less_than_the_step() {
+    // Rivers meet a rise that is five times as fast as that which made the land.
+    for (g, limiting) in [(0.4, 0.9), (2.0, 0.9), (0.4, 0.4)] {
+        let params = StreamPower { limiting_slope: Some(limiting), ..settling(g, 0.45, 1.0) };
+        let start = transient::evolve(raster(100, 6), 0.2, params.clone(), 20.0 * KYR, Stop::time(3.0 * MYR));
+        let domain = start.domain();
+        let k = Resolved::Uniform(K / YEAR);
+        let rock = Rock { erodibility: &k, layers: None, weakness: None, by_material: false };
+        let run = |parts: usize, mut solver: Sediment| {
+            let (mut z, dt) = (start.elevation().to_vec(), 20.0 * KYR / parts as f64);
+            let mut flow = Flow::new();
+            let law = params.law(f64::NEG_INFINITY, dt, false);
+            for _ in 0..10 * parts {
+                let mut area = node_areas(&*domain);
+                flow.route(&*domain, &z, &mut area);
+                z.iter_mut()
+                    .zip(domain.status())
+                    .filter(|(_, s)| **s == Status::Interior)
+                    .for_each(|(z, _)| *z += U / YEAR * dt);
+                solver.sweep(&*domain, &flow, &law, &rock, &mut area, &mut z);
+            }
+            z
+        };
+        let exact = run(1, Sediment::to_the_end());
+        let off = |z: &[f64]| {
+            (z.iter().zip(&exact).map(|(a, b)| math::powi(a - b, 2)).sum::<f64>() / exact.len() as f64).sqrt()
+        };
+        let (early, step) = (off(&run(1, Sediment::default())), off(&run(2, Sediment::to_the_end())));
+        assert!(early < 0.2 * step, "G {g}, limit {limiting}: {early} m beside {step} m");
+    }
+}

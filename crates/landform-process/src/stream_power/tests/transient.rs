@@ -10,7 +10,7 @@ fn line(n: usize, cell: f64) -> HeightField {
     HeightField::new(grid, (0..n).map(|i| 0.01 * i as f64).collect()).unwrap()
 }
 
-fn evolve<T: NodeSurface>(terrain: T, rate: f64, rivers: StreamPower, dt: f64, stop: Stop) -> T {
+pub(super) fn evolve<T: NodeSurface>(terrain: T, rate: f64, rivers: StreamPower, dt: f64, stop: Stop) -> T {
     let mut sim = Simulation::new(terrain).process(uplift(rate)).unwrap().process(rivers).unwrap().dt(dt).until(stop);
     sim.run().unwrap();
     sim.into_terrain()
