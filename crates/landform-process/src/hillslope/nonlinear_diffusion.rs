@@ -10,7 +10,7 @@
 //! # Method
 //! Backward Euler by Newton's iteration: fluxes over the four faces of a cell with the whole
 //! gradient there, their derivative by the slope normal to the face; each linear system as for
-//! linear creep ([`super::implicit`]), until no node moves by 0.1 mm. Volumes follow from the
+//! linear creep ([`super::implicit`]), but only to a fiftieth, until no node moves by 0.1 mm. Volumes follow from the
 //! fluxes of the last iteration. **Cost** a few linear systems a step.
 //!
 //! # Limits
@@ -23,7 +23,7 @@
 //! # Checked by
 //! `tests`: the steady profile from parabola to plane, mass, long steps.
 
-use landform_core::grid::{Domain, Grid, Link, Status};
+use landform_core::grid::{Domain, Grid, Status};
 use landform_core::terrain::{HeightField, NodeSurface};
 use landform_core::units::{Diffusivity, DiffusivityDimension};
 use landform_core::verb::{Change, Context, Params, Process, Resolved, Source, Step, Varying};
@@ -36,6 +36,8 @@ use super::implicit::{Cells, Rows, resolve_diffusivity};
 /// Slope over the critical one beyond which the flux goes on along its tangent.
 const TANGENT: f64 = 0.97;
 const MAX_ITERATIONS: usize = 80;
+/// Error of an iteration's linear system over the greatest change: the next iteration mends it.
+const ENOUGH: f64 = 0.02;
 /// Greatest change of an iteration that ends them, m.
 const TOLERANCE: f64 = 1e-4;
 
@@ -107,20 +109,15 @@ impl Process<HeightField> for NonlinearDiffusion {
         let status = domain.status();
         let flux = Fluxes { grid: &grid, status, diffusivity: &state.diffusivity, critical: self.critical_slope };
         let (mut z, area) = (start.clone(), grid.cell_area());
+        let mut rows = Rows::unlinked(shape, area);
         for _ in 0..MAX_ITERATIONS {
             let faces = flux.faces(&z);
             let into = flux.inflow(&faces);
-            let conductance = |i: usize, link: Link| match link.slot {
-                0 => faces[i].conductance[0],
-                6 => faces[i].conductance[1],
-                4 => faces[link.to].conductance[0],
-                2 => faces[link.to].conductance[1],
-                _ => 0.0,
-            };
+            rows.link(status, |i| faces[i].conductance);
             let inner = |i: usize| status[i] == Status::Interior;
             let residual =
                 parallel::map(z.len(), |i| if inner(i) { into[i] - (z[i] - start[i]) * area / at.dt } else { 0.0 });
-            let change = Rows::new(&*domain, shape, conductance).change_by(&residual, at.dt)?;
+            let change = rows.change_by(&residual, at.dt, ENOUGH)?;
             let moved = parallel::max(change.len(), |i| change[i].abs());
             parallel::update(&mut z, |i, z| *z += change[i]);
             if moved < TOLERANCE {

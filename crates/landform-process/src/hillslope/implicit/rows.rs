@@ -47,11 +47,7 @@ impl Rows {
     /// The links of a raster, `conductance` (m²/s) of those to the east and south; those back are
     /// the same.
     pub(in super::super) fn new<D: Domain>(domain: &D, shape: Shape, conductance: impl Fn(usize, Link) -> f64) -> Self {
-        let width = shape.cols.div_ceil(2) + 2;
-        let empty = || [0, 1].map(|_| vec![0.0; width * (shape.rows + 2)]);
-        let area = domain.area(0);
-        let [east, south, sum, change, rhs, inverse] = std::array::from_fn(|_| empty());
-        let mut rows = Self { shape, width, east, south, sum, area, change, rhs, inverse };
+        let mut rows = Self::unlinked(shape, domain.area(0));
         let status = domain.status();
         for i in 0..domain.len() {
             let (colour, at) = rows.place(i);
@@ -74,6 +70,44 @@ impl Rows {
             }
         }
         rows
+    }
+
+    /// A raster of cells of an area (m²) without links.
+    pub(in super::super) fn unlinked(shape: Shape, area: f64) -> Self {
+        let width = shape.cols.div_ceil(2) + 2;
+        let empty = || [0, 1].map(|_| vec![0.0; width * (shape.rows + 2)]);
+        let [east, south, sum, change, rhs, inverse] = std::array::from_fn(|_| empty());
+        Self { shape, width, east, south, sum, area, change, rhs, inverse }
+    }
+
+    /// Links anew: `conductance` (m²/s) of a node's links to the east and to the south, 0 where
+    /// there is none.
+    pub(in super::super) fn link(&mut self, status: &[Status], conductance: impl Fn(usize) -> [f64; 2] + Sync) {
+        let (shape, width) = (self.shape, self.width);
+        let each = |colour: usize, out: &mut [f64], value: &(dyn Fn(usize, usize) -> f64 + Sync)| {
+            parallel::for_rows_mut(out, width, |row, out| {
+                if row == 0 || row > shape.rows {
+                    return;
+                }
+                let first = (row - 1 + colour) & 1;
+                for (k, col) in (first..shape.cols).step_by(2).enumerate() {
+                    out[k + 1] = value((row - 1) * shape.cols + col, col);
+                }
+            });
+        };
+        for colour in 0..2 {
+            each(colour, &mut self.east[colour], &|i, _| conductance(i)[0]);
+            each(colour, &mut self.south[colour], &|i, _| conductance(i)[1]);
+            each(colour, &mut self.sum[colour], &|i, col| {
+                if status[i] != Status::Interior {
+                    return -1.0;
+                }
+                let [east, south] = conductance(i);
+                let west = if col > 0 { conductance(i - 1)[0] } else { 0.0 };
+                let north = if i >= shape.cols { conductance(i - shape.cols)[1] } else { 0.0 };
+                (east + west) + (south + north)
+            });
+        }
     }
 
     /// Colour of a node, and its place there.
@@ -110,7 +144,7 @@ impl Rows {
             self.flux_into(colour, &packed, &mut rhs);
             self.rhs[colour] = rhs;
         }
-        self.solve_step(dt)?;
+        self.solve_step(dt, TOLERANCE)?;
         let after = [0, 1].map(|c: usize| {
             let (a, b) = (&packed[c], &self.change[c]);
             parallel::map(a.len(), |i| a[i] + b[i])
@@ -121,10 +155,10 @@ impl Rows {
     }
 
     /// The change of every node in `dt` s that a volume flux into it (m³/s) calls for, what then
-    /// flows over links included.
-    pub(in super::super) fn change_by(&mut self, rhs: &[f64], dt: f64) -> Result<Vec<f64>> {
+    /// flows over links included, to a `tolerance` over the greatest change.
+    pub(in super::super) fn change_by(&mut self, rhs: &[f64], dt: f64, tolerance: f64) -> Result<Vec<f64>> {
         self.rhs = self.pack(rhs);
-        self.solve_step(dt)?;
+        self.solve_step(dt, tolerance)?;
         Ok(self.unpack(&self.change, 1.0))
     }
 
@@ -153,7 +187,7 @@ impl Rows {
     }
 
     /// Finds the change for what drives it.
-    fn solve_step(&mut self, dt: f64) -> Result<()> {
+    fn solve_step(&mut self, dt: f64, tolerance: f64) -> Result<()> {
         let diagonal = self.area / dt;
         let (mut radius, mut greatest_rhs) = (0.0_f64, 0.0_f64);
         for colour in 0..2 {
@@ -163,7 +197,7 @@ impl Rows {
             radius = radius.max(parallel::max(sum.len(), |i| sum[i].max(0.0) / (diagonal + sum[i].max(0.0))));
             greatest_rhs = greatest_rhs.max(parallel::max(rhs.len(), |i| rhs[i].abs()));
         }
-        if greatest_rhs > 0.0 { self.solve(radius * radius) } else { Ok(()) }
+        if greatest_rhs > 0.0 { self.solve(radius * radius, tolerance) } else { Ok(()) }
     }
 
     /// Volume flux into every node of a colour that changes, m³/s.
@@ -202,10 +236,10 @@ impl Rows {
         }
     }
 
-    fn solve(&mut self, radius: f64) -> Result<()> {
+    fn solve(&mut self, radius: f64, tolerance: f64) -> Result<()> {
         let (mut factor, mut first) = (1.0, true);
         let last = 2.0 / (1.0 + (1.0 - radius).sqrt());
-        let enough = (TOLERANCE * (2.0 - last)).max(ROUNDING / (2.0 - last));
+        let enough = (tolerance * (2.0 - last)).max(ROUNDING / (2.0 - last));
         for _ in 0..MOST_SWEEPS {
             let (mut step, mut greatest) = (0.0_f64, 0.0_f64);
             for colour in 0..2 {
