@@ -277,6 +277,7 @@ const SMALL: &[(&str, &[&str])] = &[
     ("rain_rills", &["layered_ground.grid.cell_size=10 m", "particle_erosion.particles=50", "write_picture.size=160"]),
     ("undercut_coast", &["surface.grid.cell_size=8 m", "particle_erosion.particles=10", "write_picture.size=160"]),
     ("capped_rocks", &["layered_ground.grid.cell_size=2 m", "particle_erosion.particles=20", "write_picture.size=160"]),
+    ("ravines_and_round_crests", &["layered_ground.grid.cell_size=250 m", "write_picture.size=160"]),
     ("volcanic_plateau", &["layered_ground.grid.cell_size=220 m", "write_picture.size=160"]),
     (
         "a_landscape_for_a_game",

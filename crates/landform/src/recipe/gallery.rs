@@ -32,6 +32,7 @@ macro_rules! recipe {
 pub static GALLERY: &[GalleryRecipe] = &[
     recipe!("Landscapes", "alpine_range", "71_alpine_range.toml"),
     recipe!("Landscapes", "folded_range", "72_folded_range.toml"),
+    recipe!("Landscapes", "ravines_and_round_crests", "89_ravines_and_round_crests.toml"),
     recipe!("Landscapes", "hills_and_flood_plains", "78_hills_and_flood_plains.toml"),
     recipe!("Landscapes", "desert_basin", "79_desert_basin.toml"),
     recipe!("Landscapes", "landslides", "83_landslides.toml"),
