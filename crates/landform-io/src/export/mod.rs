@@ -17,6 +17,7 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod colours;
 mod geojson;
 mod layout;
 mod places;
@@ -34,6 +35,7 @@ mod write_splines;
 mod write_survey;
 mod write_volume;
 mod write_weights;
+mod write_world;
 
 pub use places::PlacePreset;
 pub use write_contours::WriteContours;
@@ -50,6 +52,7 @@ pub use write_splines::WriteSplines;
 pub use write_survey::WriteSurvey;
 pub use write_volume::WriteVolume;
 pub use write_weights::{Bound, WeightLayer, WeightPreset, WriteWeights};
+pub use write_world::{Simulator, WriteWorld};
 
 use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
@@ -68,4 +71,5 @@ landform_core::stages! {
     export WriteSurvey where HeightField, Mesh, VoxelGrid;
     export WriteVolume where VoxelGrid;
     export WriteWeights where HeightField;
+    export WriteWorld where HeightField, Mesh;
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use landform_core::algo::decimate::decimate;
 use landform_core::algo::polygonise::polygonise;
 use landform_core::analysis::cave::cave_voxels;
 use landform_core::field::names;
@@ -125,6 +126,18 @@ fn middle(field: &HeightField) -> [f64; 2] {
 }
 
 impl MeshFile {
+    /// The surface with as few nodes as its nodes allow, of which none lies farther from it than
+    /// `tolerance`, above or below, m; and how far the farthest does.
+    pub fn decimated(&self, tolerance: f64) -> (Self, f64) {
+        let thin = decimate(&self.points, &self.triangles, tolerance);
+        let texture = self.texture.as_ref().map(|texture| Texture {
+            places: thin.kept.iter().map(|&i| texture.places[i as usize]).collect(),
+            png: texture.png.clone(),
+        });
+        let points = thin.kept.iter().map(|&i| self.points[i as usize]).collect();
+        (Self { points, triangles: thin.triangles, middle: self.middle, texture }, thin.error)
+    }
+
     /// The ground as a watertight body: walls along every edge that has one triangle only, and a
     /// level floor `thickness` metres under the lowest point.
     pub fn solid(mut self, thickness: f64) -> Self {
@@ -169,7 +182,7 @@ impl MeshFile {
     }
 
     /// Normal of each point: the sum of its triangles' normals, unit length.
-    pub(super) fn normals(&self) -> Vec<[f32; 3]> {
+    pub(crate) fn normals(&self) -> Vec<[f32; 3]> {
         let mut normals = vec![[0.0_f64; 3]; self.points.len()];
         for t in &self.triangles {
             let n = across(t.map(|i| self.points[i as usize]));
