@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use landform_core::field::names;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, VoxelGrid, nothing_solid};
 use landform_core::units::Length;
 use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
@@ -12,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::colours::ground_texture;
 use super::layout::tile_path;
 use crate::format::{
-    MeshFile, RasterFile, blurred, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels,
+    MeshFile, PointField, RasterFile, blurred, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels,
     mesh_file_of_cave, mesh_file_of_water, mesh_format,
 };
 use crate::measure::no_cave;
@@ -51,7 +52,7 @@ pub enum VoxelSurface {
 const SHALLOWEST: f64 = 0.1;
 
 /// Writes the surface as triangles in metres; the extension sets the format: glb (y up), obj, ply,
-/// stl (z up).
+/// stl, vtk (z up), or csv: a table of the nodes alone.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteMesh {
@@ -73,6 +74,9 @@ pub struct WriteMesh {
     /// the one before it. They need `max_error`.
     #[schemars(extend("x-min" = 1, "x-max" = 8))]
     pub levels: usize,
+    /// Fields of the nodes that are written with them, such as "drainage_area" (ply, vtk, csv; the
+    /// ground of rasters and meshes).
+    pub fields: Vec<String>,
     /// Voxels only: rounds that smooth their steps and keep the volume of each body. No point moves
     /// by more than half a voxel along an axis, and those on the sides of the box stay in them. 0
     /// keeps the faces of voxels.
@@ -99,6 +103,7 @@ impl Default for WriteMesh {
             solid_base: None,
             max_error: None,
             levels: 1,
+            fields: Vec::new(),
             smoothing: 0,
             voxels: VoxelSurface::Faces,
             texture: false,
@@ -135,6 +140,12 @@ impl Params for WriteMesh {
         }
         if self.levels > 1 && self.max_error.is_none() {
             return Err(Error::Incomplete { name: "levels".into(), needs: "max_error" });
+        }
+        let holds_fields = [".ply", ".vtk", ".csv"].iter().any(|end| self.path.to_lowercase().ends_with(end));
+        let may_have = holds_fields && self.surface == MeshSurface::Ground;
+        if !may_have && !self.fields.is_empty() {
+            let expected = "none, or the ground in a file that ends with .ply, .vtk or .csv";
+            return Err(Error::parameter("fields", format!("{:?}", self.fields), expected));
         }
         if self.texture_size.is_some() && !self.texture {
             return Err(Error::Incomplete { name: "texture_size".into(), needs: "texture = true" });
@@ -185,8 +196,24 @@ impl WriteMesh {
         }
     }
 
+    /// The fields that are asked for, at the nodes that have data.
+    fn point_fields<T: NodeSurface>(&self, terrain: &T) -> Result<Vec<PointField>> {
+        let z = terrain.elevation();
+        let field = |name: &String| {
+            let all = terrain.named(name, "`write_mesh`")?.to_f64();
+            let values = all.into_iter().zip(z).filter(|(_, z)| !z.is_nan()).map(|(value, _)| value).collect();
+            let unit = names::unit_of(name).unwrap_or("1").to_string();
+            Ok(PointField { name: name.replace(char::is_whitespace, "_"), unit, values })
+        };
+        self.fields.iter().map(field).collect()
+    }
+
     /// Voxels have more than one elevation a node.
     fn check_all_nodes(&self) -> Result<()> {
+        if !self.fields.is_empty() {
+            let expected = "none; `uppermost_surface` makes a raster of voxels";
+            return Err(Error::parameter("fields", format!("{:?} for voxels", self.fields), expected));
+        }
         match self.max_error {
             Some(error) => {
                 let expected = "none; `uppermost_surface` makes a raster of voxels";
@@ -236,7 +263,8 @@ impl Export<Mesh> for WriteMesh {
                 "\"ground\"; `to_height_field` makes a raster",
             ));
         }
-        self.write(mesh_file_from_mesh(landscape.terrain), out)
+        let fields = self.point_fields(landscape.terrain)?;
+        self.write(MeshFile { fields, ..mesh_file_from_mesh(landscape.terrain) }, out)
     }
 }
 
@@ -275,6 +303,7 @@ impl Export<HeightField> for WriteMesh {
             MeshSurface::Ground | MeshSurface::Cave => mesh_file_from_height_field(terrain),
             MeshSurface::Water => mesh_file_of_water(terrain, SHALLOWEST)?,
         };
+        mesh.fields = self.point_fields(terrain)?;
         if self.texture {
             mesh.texture = Some(ground_texture(terrain, landscape.environment, self.texture_size)?);
         }

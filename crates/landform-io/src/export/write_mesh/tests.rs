@@ -152,3 +152,43 @@ fn errors_that_mean_nothing_are_refused() {
     assert!(bare.export(&Landscape::plain(&lone), &mut MemoryOutput::default()).is_err());
     bare.export(&Landscape::plain(&hills()), &mut MemoryOutput::default()).unwrap();
 }
+
+#[test]
+fn fields_of_the_nodes_go_with_them() {
+    let mut field = hills();
+    let area: Vec<f64> = (0..24 * 40).map(|i| f64::from(i) * 0.5).collect();
+    field.fields_mut().insert(&names::DRAINAGE_AREA, area).unwrap();
+    let mut out = MemoryOutput::default();
+    for path in ["a.csv", "a.ply", "a.vtk"] {
+        let mesh = WriteMesh { path: path.into(), fields: vec!["drainage_area".into()], ..WriteMesh::default() };
+        mesh.validate().unwrap();
+        mesh.export(&Landscape::plain(&field), &mut out).unwrap();
+    }
+    let text = String::from_utf8(out.0["a.csv"].clone()).unwrap();
+    let rows: Vec<&str> = text.lines().collect();
+    // Node 3 has no data.
+    assert_eq!((rows.len(), rows[0]), (960, "x_m,y_m,elevation_m,drainage_area_m2"));
+    assert!(rows[3].ends_with(",1") && rows[4].ends_with(",2"), "{} {}", rows[3], rows[4]);
+    let text = |path: &str| String::from_utf8_lossy(&out.0[path][..400]).to_string();
+    assert!(
+        text("a.ply").contains("comment drainage_area in m2\n") && text("a.ply").contains("double drainage_area\n")
+    );
+    // The last numbers of a file of VTK are the last field's, most significant byte first.
+    let vtk = &out.0["a.vtk"];
+    let end = vtk.len() - 1;
+    assert_eq!(f64::from_be_bytes(vtk[end - 8..end].try_into().unwrap()), 479.5);
+    let thin = WriteMesh {
+        path: "thin.csv".into(),
+        fields: vec!["drainage_area".into()],
+        max_error: Some(Length::of(40.0)),
+        ..WriteMesh::default()
+    };
+    thin.export(&Landscape::plain(&field), &mut out).unwrap();
+    let all: std::collections::BTreeSet<&str> = rows.iter().copied().collect();
+    let some = String::from_utf8(out.0["thin.csv"].clone()).unwrap();
+    assert!(some.lines().count() < 900 && some.lines().all(|row| all.contains(row)));
+    let refused = WriteMesh { fields: vec!["drainage_area".into()], ..WriteMesh::default() };
+    assert_eq!(refused.validate().unwrap_err().parameter_name(), Some("fields"));
+    let absent = WriteMesh { path: "a.csv".into(), fields: vec!["dew".into()], ..WriteMesh::default() };
+    assert!(absent.export(&Landscape::plain(&field), &mut out).is_err());
+}
