@@ -62,5 +62,15 @@ fn a_world_builder_gets_what_the_page_promises() {
 #[test]
 fn a_geomorphologist_gets_what_the_page_promises() {
     let files = ["out/drainage.json", "out/report.html", "runs.csv", "numbers.json", "measured.html", "difference.png"];
-    follow("geomorphologists.md", &files);
+    follow("geomorphologists.md", &[&files[..], &["out/profiles.csv", "out/swath.csv", "out/steady.vtk"]].concat());
+}
+
+#[test]
+fn a_roboticist_gets_what_the_page_promises() {
+    let files = ["gazebo/world.sdf", "gazebo/world_heights.png", "gazebo/world.sdf.md", "mujoco/world.xml"];
+    let more = ["mujoco/world.hfield", "isaac/world.usda", "isaac/world_colours.png", "ground_LOD2.stl", "stones.csv"];
+    let files: Vec<String> = files.iter().chain(&more).map(|file| format!("out/{file}")).collect();
+    let mut files: Vec<&str> = files.iter().map(String::as_str).collect();
+    files.extend(["field_4/mujoco/world.hfield", "rough/gazebo/world.sdf"]);
+    follow("simulation.md", &files);
 }

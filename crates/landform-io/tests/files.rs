@@ -188,6 +188,18 @@ fn mesh_files_hold_every_triangle() {
             "glb" => check_glb(&bytes, &mesh.points),
             "stl" => assert_eq!(bytes.len(), 84 + 50 * 24),
             "ply" => assert!(bytes.starts_with(b"ply\n") && bytes.ends_with(&mesh.triangles[23][2].to_le_bytes())),
+            "vtk" => {
+                let count = |what: &[u8]| bytes.windows(what.len()).any(|w| w == what);
+                assert!(count(b"POINTS 20 double\n") && count(b"\nPOLYGONS 24 96\n"));
+                assert_eq!(bytes.len(), 91 + 20 * 24 + 16 + 24 * 16 + 1);
+            }
+            "csv" => {
+                let text = String::from_utf8(bytes).unwrap();
+                let rows: Vec<&str> = text.lines().collect();
+                assert_eq!((rows.len(), rows[0]), (21, "x_m,y_m,elevation_m"));
+                let last: Vec<f64> = rows[20].split(',').map(|v| v.parse().unwrap()).collect();
+                assert_eq!(last, mesh.points[19]);
+            }
             _ => {
                 let text = String::from_utf8(bytes).unwrap();
                 assert_eq!(text.lines().filter(|l| l.starts_with("v ")).count(), 20);

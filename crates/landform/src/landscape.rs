@@ -9,9 +9,10 @@ use landform_core::stage::{ReadStage, Verb};
 use landform_core::terrain::{
     AnyTerrain, Body, HeightField, NodeSurface, Representation, Surface, Visit, not_a_surface,
 };
-use landform_core::verb::{Context, Environment, Event, MemoryOutput, Outcome, Params, Stopped};
+use landform_core::verb::{Context, Environment, Event, MemoryOutput, Outcome, Output, Params, Stopped};
 use landform_core::{Error, Result};
-use landform_io::files::write_whole;
+use landform_io::export::{WriteMesh, WritePicture, WriteRaster};
+use landform_io::files::{Folder, write_whole};
 use landform_io::format::{
     MeshFile, RasterFile, Reading, mesh_file_from_height_field, mesh_file_from_mesh, mesh_format, raster_format,
     read_raster, sidecar_path,
@@ -117,6 +118,58 @@ impl Landscape {
         }
     }
 
+    /// Writes a field of a raster: "elevation", "drainage_area" and what else it has. The extension
+    /// says how: tif, asc, exr, npy, png, pgm, r16.
+    ///
+    /// ```
+    /// use landform::prelude::*;
+    ///
+    /// # let path = std::env::temp_dir().join(format!("landform-raster-{}.tif", std::process::id()));
+    /// let grid = Grid::new(Shape::new(2, 2), [10.0, 10.0])?;
+    /// let land = Landscape::from(HeightField::new(grid, vec![0.0, 1.0, 2.0, 3.0])?);
+    /// land.save_raster("elevation", &path)?;
+    /// # std::fs::remove_file(&path).ok();
+    /// # Ok::<(), landform::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`WriteRaster`]; [`Error::Io`] if the file cannot be written.
+    pub fn save_raster(&self, field: &str, path: impl AsRef<Path>) -> Result<()> {
+        let (folder, path) = place(path.as_ref());
+        self.export(WriteRaster { field: field.into(), path, ..WriteRaster::default() }, folder).map(drop)
+    }
+
+    /// Writes the surface as triangles: glb, obj, ply, stl, vtk. [`WriteMesh`] has more to choose
+    /// from.
+    ///
+    /// # Errors
+    /// Those of [`WriteMesh`]; [`Error::Io`] if the file cannot be written.
+    pub fn save_mesh(&self, path: impl AsRef<Path>) -> Result<()> {
+        let (folder, path) = place(path.as_ref());
+        self.export(WriteMesh { path, ..WriteMesh::default() }, folder).map(drop)
+    }
+
+    /// Writes a view of the land in perspective, as PNG. [`WritePicture`] has more to choose from.
+    ///
+    /// # Errors
+    /// Those of [`WritePicture`]; [`Error::Io`] if the file cannot be written.
+    pub fn save_picture(&self, path: impl AsRef<Path>) -> Result<()> {
+        let (folder, path) = place(path.as_ref());
+        self.export(WritePicture { path, ..WritePicture::default() }, folder).map(drop)
+    }
+
+    /// Writes what a stage that exports writes, below a folder; what it tells besides, such as that
+    /// ground was resampled.
+    ///
+    /// # Errors
+    /// Those of the stage, and of its parameters; [`Error::Io`] if a file cannot be written.
+    pub fn export<P: Params>(&self, params: P, folder: impl AsRef<Path>) -> Result<Vec<String>> {
+        let stage = read(&params)?;
+        let mut out = Folder::create(folder.as_ref())?;
+        stage.report(&self.view(), &mut out)?;
+        Ok(out.take_notes())
+    }
+
     /// Applies a stage that changes the landscape at once: a generator, an edit or a conversion.
     ///
     /// ```
@@ -186,6 +239,12 @@ impl Landscape {
             outcome,
         });
     }
+}
+
+/// The folder of a path, and the name in it.
+fn place(path: &Path) -> (&Path, String) {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    (folder, path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default())
 }
 
 /// A stage of the table from its parameters.

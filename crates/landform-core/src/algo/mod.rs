@@ -1,5 +1,6 @@
 //! Algorithms on grids and graphs, free of physics.
 
+pub mod decimate;
 pub mod depression;
 pub mod derivative;
 mod disjoint_sets;

@@ -31,8 +31,8 @@ pub use form::{Form, form, form_of, share_in_sinks};
 pub use hypsometry::{HypsometricClass, Hypsometry, ModelCurve, classify, hypsometry, of_sorted};
 pub use metrics::{Drawings, Elevations, Metrics, SPECTRUM_PLOT, metrics};
 pub use network::{
-    Chi, Horton, Network, NetworkScaling, NetworkSizes, SlopeArea, carved, channel_area, chi_profile, horton, network,
-    network_scaling, scaling, slope_area, slope_area_of,
+    Chi, Horton, Network, NetworkScaling, NetworkSizes, ProfileNode, ProfileSearch, RiverProfile, SlopeArea, carved,
+    channel_area, chi_profile, horton, network, network_scaling, river_profiles, scaling, slope_area, slope_area_of,
 };
 pub use spectrum::{
     Density, LEAST_WINDOW, LogBin, PowerLaw, Ring, Spectrum, ThesisFit, Transects, Window, density, largest_square,

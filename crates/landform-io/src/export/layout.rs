@@ -21,6 +21,8 @@ pub(super) enum Sizes {
 
 pub(super) const UNREAL: Sizes = Sizes::OneOf(&[127, 253, 505, 1009, 2017, 4033, 8129]);
 pub(super) const UNITY: Sizes = Sizes::OneOf(&[33, 65, 129, 257, 513, 1025, 2049, 4097]);
+/// Sides of a power of two and a node more.
+pub(super) const GAZEBO: Sizes = UNITY;
 /// Nodes along a side of Terrain3D's regions.
 pub(super) const REGIONS: &[usize] = &[64, 128, 256, 512, 1024, 2048];
 /// The most tiles along an axis.

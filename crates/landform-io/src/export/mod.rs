@@ -17,6 +17,7 @@
 //! # Ok::<(), landform_core::Error>(())
 //! ```
 
+mod colours;
 mod geojson;
 mod layout;
 mod places;
@@ -28,12 +29,15 @@ mod write_mesh;
 mod write_picture;
 mod write_points;
 mod write_povray;
+mod write_profiles;
 mod write_raster;
 mod write_report;
 mod write_splines;
 mod write_survey;
+mod write_swath;
 mod write_volume;
 mod write_weights;
+mod write_world;
 
 pub use places::PlacePreset;
 pub use write_contours::WriteContours;
@@ -44,12 +48,15 @@ pub use write_mesh::{MeshSurface, VoxelSurface, WriteMesh};
 pub use write_picture::{ViewKind, WritePicture};
 pub use write_points::WritePoints;
 pub use write_povray::WritePovray;
+pub use write_profiles::WriteProfiles;
 pub use write_raster::WriteRaster;
 pub use write_report::WriteReport;
 pub use write_splines::WriteSplines;
 pub use write_survey::WriteSurvey;
+pub use write_swath::WriteSwath;
 pub use write_volume::WriteVolume;
 pub use write_weights::{Bound, WeightLayer, WeightPreset, WriteWeights};
+pub use write_world::{Simulator, WriteWorld};
 
 use landform_core::terrain::{HeightField, Mesh, VoxelGrid};
 
@@ -63,9 +70,12 @@ landform_core::stages! {
     export WritePicture where HeightField, Mesh, VoxelGrid;
     export WritePoints where HeightField, Mesh;
     export WritePovray where HeightField, Mesh;
+    export WriteProfiles where HeightField, Mesh;
     export WriteReport where HeightField, Mesh;
     export WriteSplines where HeightField, Mesh;
     export WriteSurvey where HeightField, Mesh, VoxelGrid;
+    export WriteSwath where HeightField, Mesh;
     export WriteVolume where VoxelGrid;
     export WriteWeights where HeightField;
+    export WriteWorld where HeightField, Mesh;
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use landform_core::algo::decimate::decimate;
 use landform_core::algo::polygonise::polygonise;
 use landform_core::analysis::cave::cave_voxels;
 use landform_core::field::names;
@@ -23,6 +24,36 @@ pub struct MeshFile {
     pub middle: Option<[f64; 2]>,
     /// A picture on it; formats other than glTF leave it out.
     pub texture: Option<Texture>,
+    /// Numbers of each point; PLY, VTK and tables hold them.
+    pub fields: Vec<PointField>,
+}
+
+/// Numbers of the points of a mesh.
+///
+/// ```
+/// use landform_io::format::PointField;
+///
+/// let field = PointField { name: "drainage_area".into(), unit: "m2".into(), values: vec![900.0] };
+/// assert_eq!(field.title(), "drainage_area_m2");
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointField {
+    /// Name.
+    pub name: String,
+    /// Unit.
+    pub unit: String,
+    /// A number for each point.
+    pub values: Vec<f64>,
+}
+
+impl PointField {
+    /// Name and unit in one word, for the head of a column.
+    pub fn title(&self) -> String {
+        match self.unit.as_str() {
+            "1" => self.name.clone(),
+            unit => format!("{}_{}", self.name, unit.replace('/', "_per_").replace(' ', "")),
+        }
+    }
 }
 
 /// A picture that lies on a surface.
@@ -44,7 +75,7 @@ pub struct Texture {
 /// The triangles of a mesh.
 pub fn mesh_file_from_mesh(mesh: &Mesh) -> MeshFile {
     let points = mesh.positions().iter().zip(mesh.elevation()).map(|(p, z)| [p[0], p[1], *z]).collect();
-    MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None, texture: None }
+    MeshFile { points, triangles: mesh.triangles().to_vec(), middle: None, texture: None, fields: Vec::new() }
 }
 
 /// The faces of voxels, or their surface nets, two triangles each; `rounds` of smoothing, in which
@@ -60,7 +91,7 @@ pub fn mesh_file_from_voxels(ground: &VoxelGrid, rounds: u32, nets: bool) -> Mes
     let side = [dx, dy, ground.height()];
     let at = |v: [f64; 3]| std::array::from_fn(|k| low[k] + v[k] * side[k]);
     let points = smooth(&quads, size, rounds, nets).into_iter().map(at).collect();
-    MeshFile { points, triangles: quads.triangles(), middle: None, texture: None }
+    MeshFile { points, triangles: quads.triangles(), middle: None, texture: None, fields: Vec::new() }
 }
 
 /// The walls of the cave alone, as seen from inside; closed where it leaves the box.
@@ -91,13 +122,13 @@ pub(crate) fn mesh_file_of_cave(ground: &VoxelGrid, rounds: u32, nets: bool) -> 
             *new
         }));
     }
-    MeshFile { points, triangles, middle: None, texture: None }
+    MeshFile { points, triangles, middle: None, texture: None, fields: Vec::new() }
 }
 
 /// Two triangles a cell of a raster; holes stay open.
 pub fn mesh_file_from_height_field(field: &HeightField) -> MeshFile {
     let (points, triangles) = mesh_parts_from_height_field(field);
-    MeshFile { points, triangles, middle: Some(middle(field)), texture: None }
+    MeshFile { points, triangles, middle: Some(middle(field)), texture: None, fields: Vec::new() }
 }
 
 /// The surface of the water on a raster where it is at least `least` metres deep, by its field of
@@ -116,7 +147,7 @@ pub fn mesh_file_of_water(field: &HeightField, least: f64) -> Result<MeshFile> {
     if triangles.is_empty() {
         return Err(Error::NoFace { what: "the sheet of water" });
     }
-    Ok(MeshFile { points, triangles, middle: Some(middle(field)), texture: None })
+    Ok(MeshFile { points, triangles, middle: Some(middle(field)), texture: None, fields: Vec::new() })
 }
 
 fn middle(field: &HeightField) -> [f64; 2] {
@@ -125,6 +156,23 @@ fn middle(field: &HeightField) -> [f64; 2] {
 }
 
 impl MeshFile {
+    /// The surface with as few nodes as its nodes allow, of which none lies farther from it than
+    /// `tolerance`, above or below, m; and how far the farthest does.
+    pub fn decimated(&self, tolerance: f64) -> (Self, f64) {
+        let thin = decimate(&self.points, &self.triangles, tolerance);
+        let texture = self.texture.as_ref().map(|texture| Texture {
+            places: thin.kept.iter().map(|&i| texture.places[i as usize]).collect(),
+            png: texture.png.clone(),
+        });
+        let points = thin.kept.iter().map(|&i| self.points[i as usize]).collect();
+        let picked = |field: &PointField| PointField {
+            values: thin.kept.iter().map(|&i| field.values[i as usize]).collect(),
+            ..field.clone()
+        };
+        let fields = self.fields.iter().map(picked).collect();
+        (Self { points, triangles: thin.triangles, middle: self.middle, texture, fields }, thin.error)
+    }
+
     /// The ground as a watertight body: walls along every edge that has one triangle only, and a
     /// level floor `thickness` metres under the lowest point.
     pub fn solid(mut self, thickness: f64) -> Self {
@@ -148,6 +196,7 @@ impl MeshFile {
         if let Some(texture) = &mut self.texture {
             texture.places.extend_from_within(..);
         }
+        self.fields.iter_mut().for_each(|field| field.values.extend_from_within(..));
         self
     }
 
@@ -169,7 +218,7 @@ impl MeshFile {
     }
 
     /// Normal of each point: the sum of its triangles' normals, unit length.
-    pub(super) fn normals(&self) -> Vec<[f32; 3]> {
+    pub(crate) fn normals(&self) -> Vec<[f32; 3]> {
         let mut normals = vec![[0.0_f64; 3]; self.points.len()];
         for t in &self.triangles {
             let n = across(t.map(|i| self.points[i as usize]));

@@ -25,6 +25,7 @@ mod geotiff;
 mod geotiff_options;
 mod glb;
 mod mesh;
+mod node_table;
 mod npy;
 mod obj;
 mod picture;
@@ -43,6 +44,7 @@ mod system;
 mod systems;
 mod table;
 mod volume;
+mod vtk;
 mod wkt;
 mod xml;
 
@@ -52,7 +54,8 @@ pub(crate) use exr::{write_rgb as write_exr_rgb, write_words as write_exr_words}
 pub use geotiff_options::{Compression, DataType, GeotiffOptions};
 pub(crate) use mesh::mesh_file_of_cave;
 pub use mesh::{
-    MeshFile, Texture, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels, mesh_file_of_water,
+    MeshFile, PointField, Texture, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels,
+    mesh_file_of_water,
 };
 pub(crate) use picture::{encode_bytes, encode_grey, encode_rgba};
 pub use picture::{encode_png, read_grey};

@@ -10,7 +10,8 @@ use super::beside::{Found, InFile};
 use super::reading::{Beside, Reading, decide, decide_grid};
 use super::said::Stored;
 use super::{
-    MeshFile, RasterFile, Samples, Sidecar, ascii_grid, beside, exr, geotiff, glb, npy, obj, picture, ply, raw16, stl,
+    MeshFile, RasterFile, Samples, Sidecar, ascii_grid, beside, exr, geotiff, glb, node_table, npy, obj, picture, ply,
+    raw16, stl, vtk,
 };
 use crate::files::read_whole;
 
@@ -144,6 +145,8 @@ pub static MESH_FORMATS: &[MeshFormat] = &[
     MeshFormat { extension: "obj", name: "Wavefront OBJ", write: obj::write },
     MeshFormat { extension: "ply", name: "PLY", write: ply::write },
     MeshFormat { extension: "stl", name: "STL", write: stl::write },
+    MeshFormat { extension: "vtk", name: "VTK", write: vtk::write },
+    MeshFormat { extension: "csv", name: "table of nodes", write: node_table::write },
 ];
 
 fn extension(path: &Path) -> String {

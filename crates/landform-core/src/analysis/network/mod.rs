@@ -5,6 +5,7 @@
 
 mod chi;
 mod horton;
+mod profiles;
 mod scaling;
 mod slope_area;
 
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 pub use chi::{Chi, chi_profile};
 pub use horton::{Horton, horton};
+pub use profiles::{ProfileNode, ProfileSearch, RiverProfile, river_profiles};
 pub use scaling::{NetworkScaling, NetworkSizes, network_scaling, scaling};
 pub use slope_area::{SlopeArea, slope_area, slope_area_of};
 

@@ -2,20 +2,21 @@
 
 use std::path::Path;
 
-use landform_core::grid::Shape;
+use landform_core::field::names;
 use landform_core::terrain::{HeightField, Mesh, NodeSurface, VoxelGrid, nothing_solid};
 use landform_core::units::Length;
-use landform_core::verb::{Environment, Export, Landscape, Output, Params, Reach, Source, file_path};
+use landform_core::verb::{Export, Landscape, Output, Params, Reach, Source, file_path};
 use landform_core::{Error, Result};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::colours::ground_texture;
+use super::layout::tile_path;
 use crate::format::{
-    MeshFile, RasterFile, Texture, blurred, encode_png, mesh_file_from_height_field, mesh_file_from_mesh,
-    mesh_file_from_voxels, mesh_file_of_cave, mesh_file_of_water, mesh_format,
+    MeshFile, PointField, RasterFile, blurred, mesh_file_from_height_field, mesh_file_from_mesh, mesh_file_from_voxels,
+    mesh_file_of_cave, mesh_file_of_water, mesh_format,
 };
 use crate::measure::no_cave;
-use crate::render::colour_map;
 
 /// Surface that is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -51,7 +52,7 @@ pub enum VoxelSurface {
 const SHALLOWEST: f64 = 0.1;
 
 /// Writes the surface as triangles in metres; the extension sets the format: glb (y up), obj, ply,
-/// stl (z up).
+/// stl, vtk (z up), or csv: a table of the nodes alone.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteMesh {
@@ -64,6 +65,18 @@ pub struct WriteMesh {
     /// printing. If not given, only the surface is written.
     #[schemars(extend("x-above" = 0.0))]
     pub solid_base: Option<Length>,
+    /// Greatest vertical distance of any node from the triangles that are written. As many nodes as
+    /// can be are left out then; outlines, holes and watertight walls stay closed. If not given,
+    /// all nodes are written. Surfaces only.
+    #[schemars(extend("x-above" = 0.0, "x-max" = 1e6))]
+    pub max_error: Option<Length>,
+    /// Levels of detail, as files name_LOD1 and so on beside the first, each with twice the error of
+    /// the one before it. They need `max_error`.
+    #[schemars(extend("x-min" = 1, "x-max" = 8))]
+    pub levels: usize,
+    /// Fields of the nodes that are written with them, such as "drainage_area" (ply, vtk, csv; the
+    /// ground of rasters and meshes).
+    pub fields: Vec<String>,
     /// Voxels only: rounds that smooth their steps and keep the volume of each body. No point moves
     /// by more than half a voxel along an axis, and those on the sides of the box stay in them. 0
     /// keeps the faces of voxels.
@@ -88,6 +101,9 @@ impl Default for WriteMesh {
             path: "terrain.glb".into(),
             surface: MeshSurface::Ground,
             solid_base: None,
+            max_error: None,
+            levels: 1,
+            fields: Vec::new(),
             smoothing: 0,
             voxels: VoxelSurface::Faces,
             texture: false,
@@ -96,15 +112,17 @@ impl Default for WriteMesh {
     }
 }
 
-/// Pixels along the longer side of a texture, where no other number is asked for.
-const MOST_PIXELS: usize = 4096;
-
+/// Bytes a node for leaving out nodes.
+const DECIMATED: u64 = 170;
+/// The most levels of detail.
+const MOST_LEVELS: usize = 8;
 impl Params for WriteMesh {
     const NAME: &'static str = "write_mesh";
     const SOURCES: &'static [Source] = &[];
 
     fn bytes_a_node(&self) -> Option<u64> {
-        Some(if self.texture { 260 } else { 182 })
+        let all = if self.texture { 260 } else { 182 };
+        Some(if self.max_error.is_some() { all + DECIMATED } else { all })
     }
 
     fn reach(&self) -> Reach {
@@ -112,13 +130,22 @@ impl Params for WriteMesh {
     }
 
     fn outputs(&self) -> Vec<String> {
-        vec![self.path.clone()]
+        (0..self.levels.clamp(1, MOST_LEVELS)).map(|level| self.level_path(level)).collect()
     }
 
     fn check(&self) -> Result<()> {
         file_path(&self.path)?;
         if self.surface == MeshSurface::Water && self.solid_base.is_some() {
             return Err(Error::parameter("solid_base", "with the water", "no base: water is a sheet"));
+        }
+        if self.levels > 1 && self.max_error.is_none() {
+            return Err(Error::Incomplete { name: "levels".into(), needs: "max_error" });
+        }
+        let holds_fields = [".ply", ".vtk", ".csv"].iter().any(|end| self.path.to_lowercase().ends_with(end));
+        let may_have = holds_fields && self.surface == MeshSurface::Ground;
+        if !may_have && !self.fields.is_empty() {
+            let expected = "none, or the ground in a file that ends with .ply, .vtk or .csv";
+            return Err(Error::parameter("fields", format!("{:?}", self.fields), expected));
         }
         if self.texture_size.is_some() && !self.texture {
             return Err(Error::Incomplete { name: "texture_size".into(), needs: "texture = true" });
@@ -131,12 +158,6 @@ impl Params for WriteMesh {
     }
 }
 
-/// The power of two nearest to a number by its ratio.
-fn power_of_two(n: usize) -> usize {
-    let above = n.next_power_of_two();
-    if above > 1 && n * n < above * (above / 2) { above / 2 } else { above }
-}
-
 impl WriteMesh {
     /// Refuses colours for what is no raster.
     fn check_no_texture(&self, on: &str) -> Result<()> {
@@ -145,26 +166,6 @@ impl WriteMesh {
             return Err(Error::parameter("texture", format!("true on {on}"), expected));
         }
         Ok(())
-    }
-
-    /// The ground's colours on a mesh of all nodes of a raster that have data, in their order.
-    fn texture(&self, field: &HeightField, environment: &Environment) -> Result<Texture> {
-        let shape = field.grid().shape;
-        let longer = shape.rows.max(shape.cols);
-        let pixels = |n: usize| match self.texture_size {
-            Some(size) => ((size * n) as f64 / longer as f64).round().max(1.0) as usize,
-            None => power_of_two(n).min(MOST_PIXELS),
-        };
-        let picture = colour_map(field, Shape::new(pixels(shape.rows), pixels(shape.cols)), environment.sea(None));
-        // Pixels stand over nodes: the outer ones reach half a cell beyond.
-        let place = |i: usize| {
-            let cell = shape.cell(i);
-            let part = |k: usize, n: usize| ((k as f64 + 0.5) / n as f64) as f32;
-            [part(cell.col, shape.cols), part(cell.row, shape.rows)]
-        };
-        let nodes = 0..field.elevation().len();
-        let places = nodes.filter(|&i| !field.elevation()[i].is_nan()).map(place).collect();
-        Ok(Texture { places, png: encode_png(&picture.pixels, picture.shape)? })
     }
 
     fn nets(&self) -> bool {
@@ -195,15 +196,58 @@ impl WriteMesh {
         }
     }
 
+    /// The fields that are asked for, at the nodes that have data.
+    fn point_fields<T: NodeSurface>(&self, terrain: &T) -> Result<Vec<PointField>> {
+        let z = terrain.elevation();
+        let field = |name: &String| {
+            let all = terrain.named(name, "`write_mesh`")?.to_f64();
+            let values = all.into_iter().zip(z).filter(|(_, z)| !z.is_nan()).map(|(value, _)| value).collect();
+            let unit = names::unit_of(name).unwrap_or("1").to_string();
+            Ok(PointField { name: name.replace(char::is_whitespace, "_"), unit, values })
+        };
+        self.fields.iter().map(field).collect()
+    }
+
+    /// Voxels have more than one elevation a node.
+    fn check_all_nodes(&self) -> Result<()> {
+        if !self.fields.is_empty() {
+            let expected = "none; `uppermost_surface` makes a raster of voxels";
+            return Err(Error::parameter("fields", format!("{:?} for voxels", self.fields), expected));
+        }
+        match self.max_error {
+            Some(error) => {
+                let expected = "none; `uppermost_surface` makes a raster of voxels";
+                Err(Error::parameter("max_error", format!("{error} for voxels"), expected))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn level_path(&self, level: usize) -> String {
+        if level == 0 { self.path.clone() } else { tile_path(&self.path, &format!("_LOD{level}")) }
+    }
+
     fn write(&self, mesh: MeshFile, out: &mut dyn Output) -> Result<()> {
         if mesh.triangles.is_empty() {
             return Err(Error::NoFace { what: "the surface" });
         }
+        let Some(tolerance) = self.max_error.map(Length::si) else { return self.write_level(0, mesh, out) };
+        let all = mesh.points.len();
+        for level in 0..self.levels {
+            let (thin, error) = mesh.decimated(tolerance * f64::from(1_u32 << level));
+            let (path, left) = (self.level_path(level), thin.points.len());
+            out.note(format!("{path}: {left} of {all} nodes; every node lies within {error:.3} m of its triangles"));
+            self.write_level(level, thin, out)?;
+        }
+        Ok(())
+    }
+
+    fn write_level(&self, level: usize, mesh: MeshFile, out: &mut dyn Output) -> Result<()> {
         let mesh = match self.solid_base {
             Some(thickness) => mesh.solid(thickness.si()),
             None => mesh,
         };
-        out.put(&self.path, &(mesh_format(Path::new(&self.path))?.write)(&mesh)?)
+        out.put(&self.level_path(level), &(mesh_format(Path::new(&self.path))?.write)(&mesh)?)
     }
 }
 
@@ -219,13 +263,15 @@ impl Export<Mesh> for WriteMesh {
                 "\"ground\"; `to_height_field` makes a raster",
             ));
         }
-        self.write(mesh_file_from_mesh(landscape.terrain), out)
+        let fields = self.point_fields(landscape.terrain)?;
+        self.write(MeshFile { fields, ..mesh_file_from_mesh(landscape.terrain) }, out)
     }
 }
 
 impl Export<VoxelGrid> for WriteMesh {
     fn export(&self, landscape: &Landscape<'_, VoxelGrid>, out: &mut dyn Output) -> Result<()> {
         self.check_no_texture("voxels")?;
+        self.check_all_nodes()?;
         if self.surface == MeshSurface::Water {
             return Err(Error::parameter("surface", "\"water\" on voxels", "\"ground\" or \"cave\""));
         }
@@ -257,86 +303,13 @@ impl Export<HeightField> for WriteMesh {
             MeshSurface::Ground | MeshSurface::Cave => mesh_file_from_height_field(terrain),
             MeshSurface::Water => mesh_file_of_water(terrain, SHALLOWEST)?,
         };
+        mesh.fields = self.point_fields(terrain)?;
         if self.texture {
-            mesh.texture = Some(self.texture(terrain, landscape.environment)?);
+            mesh.texture = Some(ground_texture(terrain, landscape.environment, self.texture_size)?);
         }
         self.write(mesh, out)
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use landform_core::grid::Grid;
-    use landform_core::verb::MemoryOutput;
-    use serde_json::Value;
-
-    use super::*;
-
-    fn hills() -> HeightField {
-        let grid = Grid::new(Shape::new(24, 40), [10.0; 2]).unwrap();
-        let mut z: Vec<f64> = (0..grid.len()).map(|i| f64::from((i * 7919 % 101) as u32)).collect();
-        z[3] = f64::NAN;
-        HeightField::new(grid, z).unwrap()
-    }
-
-    fn chunks(bytes: &[u8]) -> (Value, Vec<u8>) {
-        let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
-        assert_eq!((&bytes[..4], word(4), word(8)), (&b"glTF"[..], 2, bytes.len()));
-        let text = word(12);
-        let json = serde_json::from_slice(&bytes[20..20 + text]).unwrap();
-        let data = word(20 + text);
-        assert_eq!((text % 4, data % 4, 28 + text + data), (0, 0, bytes.len()));
-        (json, bytes[28 + text..].to_vec())
-    }
-
-    #[test]
-    fn a_texture_lies_on_the_nodes_and_every_view_fits_its_buffer() {
-        let field = hills();
-        for solid_base in [None, Some(Length::of(5.0))] {
-            let mesh = WriteMesh { texture: true, solid_base, ..WriteMesh::default() };
-            mesh.validate().unwrap();
-            let mut out = MemoryOutput::default();
-            mesh.export(&Landscape::plain(&field), &mut out).unwrap();
-            let (json, data) = chunks(&out.0["terrain.glb"]);
-            let view = |k: u64| {
-                let view = &json["bufferViews"][k as usize];
-                let at = view["byteOffset"].as_u64().unwrap() as usize;
-                &data[at..at + view["byteLength"].as_u64().unwrap() as usize]
-            };
-            let primitive = &json["meshes"][0]["primitives"][0];
-            let accessor = |name: &str| &json["accessors"][primitive["attributes"][name].as_u64().unwrap() as usize];
-            let (points, places) = (accessor("POSITION"), accessor("TEXCOORD_0"));
-            let faces = if solid_base.is_some() { 2 } else { 1 };
-            assert_eq!((points["count"].as_u64(), places["count"].as_u64()), (Some(959 * faces), Some(959 * faces)));
-            assert_eq!((places["type"].as_str(), places["componentType"].as_u64()), (Some("VEC2"), Some(5126)));
-            let floats: Vec<f32> = view(places["bufferView"].as_u64().unwrap())
-                .chunks(4)
-                .map(|b| f32::from_le_bytes(b.try_into().unwrap()))
-                .collect();
-            // The first node is at the north-west: to the left and at the top.
-            assert_eq!(floats[..2], [0.5 / 40.0, 0.5 / 24.0]);
-            assert!(floats.iter().all(|v| (0.0..=1.0).contains(v)));
-            let image = &json["images"][json["textures"][0]["source"].as_u64().unwrap() as usize];
-            let png = view(image["bufferView"].as_u64().unwrap());
-            let info = png::Decoder::new(std::io::Cursor::new(png)).read_info().unwrap();
-            assert_eq!((info.info().width, info.info().height), (32, 32));
-            assert_eq!(json["buffers"][0]["byteLength"].as_u64(), Some(data.len() as u64));
-            let again = WriteMesh { path: "again.glb".into(), ..mesh };
-            again.export(&Landscape::plain(&field), &mut out).unwrap();
-            assert!(out.0["again.glb"] == out.0["terrain.glb"]);
-        }
-    }
-
-    #[test]
-    fn colours_where_there_can_be_none_are_refused() {
-        let refused = |mesh: WriteMesh| mesh.validate().unwrap_err().parameter_name().map(String::from);
-        let texture = || WriteMesh { texture: true, ..WriteMesh::default() };
-        assert_eq!(refused(WriteMesh { path: "a.obj".into(), ..texture() }).as_deref(), Some("texture"));
-        assert_eq!(refused(WriteMesh { surface: MeshSurface::Water, ..texture() }).as_deref(), Some("texture"));
-        assert_eq!(
-            refused(WriteMesh { texture_size: Some(64), ..WriteMesh::default() }).as_deref(),
-            Some("texture_size")
-        );
-        assert!(WriteMesh { texture_size: Some(usize::MAX), ..texture() }.validate().is_err());
-    }
-}
+mod tests;
