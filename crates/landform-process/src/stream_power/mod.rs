@@ -23,7 +23,8 @@
 //! of the step: uplift of a long step, with base levels held, would bend the flow near them. Base
 //! levels are put back to their elevation; then from the outlets upwards z ← (z + f z_r)/(1 + f),
 //! f = K Δt Aᵐ/L, with the receiver's *new* elevation (n = 1; a guarded Newton iteration
-//! otherwise), and z ≤ z_r + L tan α. First order in time and space, stable for any Δt, O(n).
+//! otherwise), and z ≤ z_r + L tan α. First order in time and space, stable for any Δt, O(n). It
+//! smears knickpoints; for n = 1 the scheme along [`characteristics`] does not.
 //! Ground under a lake's surface, which stands at or below its receiver, is left alone. With
 //! deposition, one linear system on the tree of rivers ([`yuan_2019`]).
 //!
@@ -54,7 +55,7 @@
 //!
 //! # Checked by
 //! `tests`: slope–area at every node (SP1, SP2), χ-linearity (SP3), the river of Hack's law (SP4),
-//! knickpoints (SP5), z ∝ U/K (SP6, SP7), one long step = steady state (SP8), order in time (SP9),
+//! knickpoints (SP5; sharp within a cell and a tenth of their time), z ∝ U/K (SP6, SP7), one long step = steady state (SP8), order in time (SP9),
 //! rescaling (SP10), mass (SP11), (1 + G), the sea.
 //!
 //! # Example
@@ -81,6 +82,7 @@
 //! ```
 
 mod braun_willett_2013;
+mod characteristics;
 mod law;
 mod params;
 mod rock;
@@ -105,7 +107,8 @@ use crate::mechanism::{
     add_to_incision, add_to_sums, begin_sums, write_channel_steepness_fields, write_drainage_fields,
 };
 use braun_willett_2013::sweep;
-pub use params::StreamPower;
+use characteristics::Waves;
+pub use params::{Scheme, StreamPower};
 
 pub use crate::mechanism::Lattice;
 use rock::{Rock, sweep_layers};
@@ -144,13 +147,22 @@ struct Scratch<D> {
     /// Drainage area, weighted by rainfall, until the step; then what nodes were lowered by, m.
     amount: Vec<f64>,
     sediment: Sediment,
+    /// Of the sharp scheme.
+    waves: Waves,
     /// The last step, s; none before the first.
     dt: Option<f64>,
 }
 
 impl<D> Default for Scratch<D> {
     fn default() -> Self {
-        Self { domain: None, flow: Flow::new(), amount: Vec::new(), sediment: Sediment::default(), dt: None }
+        Self {
+            domain: None,
+            flow: Flow::new(),
+            amount: Vec::new(),
+            sediment: Sediment::default(),
+            waves: Waves::default(),
+            dt: None,
+        }
     }
 }
 
@@ -183,6 +195,10 @@ impl<T: NodeSurface> Process<T> for StreamPower {
     type State = State<T::Domain>;
 
     fn start(&self, terrain: &mut T, context: &Context) -> Result<Self::State> {
+        if self.is_sharp() && terrain.layers().is_some() {
+            let expected = "\"implicit\", which wears through layers";
+            return Err(Error::parameter("scheme", "\"sharp\" on layered ground", expected));
+        }
         let erodibility = match &self.erodibility {
             Some(given) => given.resolve("erodibility", terrain, context)?,
             None => Resolved::Uniform(StreamPower::usual_erodibility().si()),
@@ -238,7 +254,11 @@ impl<T: NodeSurface> Process<T> for StreamPower {
         let rainfall = self.rainfall.as_ref().or(at.environment.rainfall.as_ref());
         state.rain_now = rainfall.and_then(|rain| rain.in_time(at.time, at.time + at.dt));
         let share = state.rain_now.map_or(1.0, |rain| (rain / REFERENCE_RAIN).max(0.0));
-        let Scratch { flow, amount, .. } = &mut state.scratch;
+        let Scratch { flow, amount, waves, .. } = &mut state.scratch;
+        if self.is_sharp() {
+            waves.start.clear();
+            waves.start.extend_from_slice(terrain.elevation());
+        }
         amount.resize(terrain.elevation().len(), 0.0);
         let (rain, status) = (&state.rain, domain.status());
         let rained = |amount: &mut [f64]| {
@@ -268,7 +288,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             let nodes = terrain.elevation().len();
             state.erodibility = weakened(Resolved::Uniform(now), state.weakness.as_ref(), nodes);
         }
-        let Scratch { flow, amount, sediment, dt, .. } = &mut state.scratch;
+        let Scratch { flow, amount, sediment, waves, dt, .. } = &mut state.scratch;
         *dt = Some(at.dt);
         let floor = if self.ends_in_sea() { state.sea_level } else { f64::NEG_INFINITY };
         let law = self.law(floor, at.dt, terrain.layers().is_some());
@@ -284,6 +304,7 @@ impl<T: NodeSurface> Process<T> for StreamPower {
             } else {
                 match layers {
                     Some(layers) => sweep_layers(&*domain, flow, &law, &rock, layers, amount, z),
+                    None if self.is_sharp() => waves.sweep(&*domain, flow, &law, &rock, amount, z),
                     None => sweep(&*domain, flow, &law, &rock, amount, z),
                 }
             }

@@ -51,6 +51,8 @@ pub struct StreamPower {
     /// slopes do not grow as cells shrink.
     #[schemars(extend("x-min" = 0.0, "x-max" = 20.0))]
     pub limiting_slope: Option<f64>,
+    /// How rivers are worn in a step: "implicit", or "sharp", which keeps knickpoints.
+    pub scheme: Scheme,
     /// Where the nodes of a raster stand while rivers run. On meshes it has no effect.
     pub lattice: Lattice,
     /// Speed at which slopes above the talus angle are lowered, per unit of slope in excess. If not
@@ -93,6 +95,24 @@ pub struct StreamPower {
     pub multiple_flow: Option<f64>,
 }
 
+/// How rivers are worn in a step.
+///
+/// ```
+/// use landform_process::stream_power::{Scheme, StreamPower};
+///
+/// assert_eq!(StreamPower::default().scheme, Scheme::Implicit);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Scheme {
+    /// By the implicit law: stable for any step, for all exponents; knickpoints are smeared.
+    #[default]
+    Implicit,
+    /// Along characteristics: knickpoints stay sharp. For slope exponent 1, without deposition,
+    /// threshold, limiting slope and layers.
+    Sharp,
+}
+
 impl Default for StreamPower {
     fn default() -> Self {
         Self {
@@ -102,6 +122,7 @@ impl Default for StreamPower {
             slope_exponent: 1.0,
             talus_angle: None,
             limiting_slope: None,
+            scheme: Scheme::Implicit,
             lattice: Lattice::Jittered,
             talus_relaxation: None,
             deposition: 0.0,
@@ -146,6 +167,11 @@ impl Params for StreamPower {
             doi: "10.1029/2018JF004867",
         },
         Source {
+            authors: "Campforts & Govers (2015)",
+            title: "Keeping the edge: A numerical method that avoids knickpoint smearing when solving the stream power law, JGR Earth Surface 120",
+            doi: "10.1002/2014JF003376",
+        },
+        Source {
             authors: "Freeman (1991)",
             title: "Calculating catchment area with divergent flow based on a regular grid, Computers & Geosciences 17(3)",
             doi: "10.1016/0098-3004(91)90048-I",
@@ -168,7 +194,7 @@ impl Params for StreamPower {
     ];
 
     fn bytes_a_node(&self) -> Option<u64> {
-        Some(205)
+        Some(if self.is_sharp() { 250 } else { 205 })
     }
 
     fn jitters(&self) -> bool {
@@ -197,16 +223,40 @@ impl Params for StreamPower {
                 "0 with `deposition`: the two are not solved together",
             ));
         }
+        self.check_sharp()?;
         self.outlets.as_ref().map_or(Ok(()), Outlets::check)
     }
 }
 
 impl StreamPower {
+    /// Refuses what the sharp scheme does not solve.
+    fn check_sharp(&self) -> Result<()> {
+        let limit = self.limiting_slope.unwrap_or(0.0);
+        let given = [
+            ("slope_exponent", self.slope_exponent, 1.0),
+            ("deposition", self.deposition, 0.0),
+            ("threshold", self.threshold, 0.0),
+            ("limiting_slope", limit, 0.0),
+        ];
+        match given.into_iter().find(|(_, value, needed)| self.is_sharp() && value != needed) {
+            Some((name, value, needed)) => {
+                Err(Error::parameter(name, value, &format!("{needed} with scheme = \"sharp\"")))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Whether steps follow characteristics.
+    pub(super) fn is_sharp(&self) -> bool {
+        self.scheme == Scheme::Sharp
+    }
+
     /// The law of a step, with the sea at `sea_level`.
     pub(super) fn law(&self, sea_level: f64, dt: f64, layered: bool) -> Law {
         let (limiting_slope, limits_by_material) = match (self.limiting_slope, self.talus_angle) {
             (Some(slope), _) if slope > 0.0 => (slope, false),
             (Some(_), _) | (None, Some(_)) => (f64::INFINITY, false),
+            (None, None) if self.is_sharp() => (f64::INFINITY, false),
             (None, None) if layered => (f64::INFINITY, true),
             (None, None) => (USUAL_LIMITING_SLOPE, false),
         };

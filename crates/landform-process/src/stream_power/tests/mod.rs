@@ -20,6 +20,7 @@ use crate::uplift::Uplift;
 
 mod deposition;
 mod refine;
+mod sharp;
 mod strips;
 mod transient;
 mod valleys;
