@@ -334,19 +334,6 @@ mod tests {
     }
 
     #[test]
-    fn what_worn_voxels_hold_lies_on_the_full_one_under_them() {
-        let plan = Grid::new(Shape::new(1, 4), [2.0, 2.0]).unwrap();
-        let rock = |_: usize, _: usize| Some(0);
-        let mut ground = VoxelGrid::from_fn(plan, 5, 10.0, 2.0, &Materials::default(), rock).unwrap();
-        // Worn and topped, a thin roof over a cave, worn to its foot, full.
-        let columns = [[1.0, 0.8, 0.6, 0.3, 0.0], [1.0, 0.0, 0.6, 0.2, 0.0], [0.7, 0.0, 0.0, 0.0, 0.0], [1.0; 5]];
-        ground.set_fill((0..20).map(|i| columns[i % 4][i / 4]).collect()).unwrap();
-        for (node, top) in [10.0 + 2.0 * 2.7, 14.0 + 2.0 * 0.8, 11.4, 20.0].into_iter().enumerate() {
-            assert!((ground.top(node).unwrap() - top).abs() < 1e-6, "{node}");
-        }
-    }
-
-    #[test]
     fn a_brush_moves_whole_voxels_and_tells_what_moved() {
         let mut ground = ground();
         let [x, y, _] = ground.middle(0, 2 * 11 + 2);

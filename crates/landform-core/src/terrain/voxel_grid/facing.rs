@@ -17,7 +17,7 @@ const REACH: i64 = 3;
 /// Voxels along its axis within which a surface is beside a place.
 const FARTHEST: f64 = 2.0;
 /// A voxel that is so full ends a column.
-pub(super) const FULL: f32 = 0.999;
+const FULL: f32 = 0.999;
 
 /// The axis that a surface faces most, and whether it faces the end of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -199,16 +199,13 @@ impl VoxelGrid {
             .sum()
     }
 
-    /// Elevation of the uppermost ground of a column, m: what is in its voxels that are full in
-    /// part, down to the first that is full or to air, lies there without gaps.
+    /// Elevation up to which the uppermost voxel of a column that is not empty is full, m; what is
+    /// in one over it that is less than half full lies on it.
     pub fn top(&self, node: usize) -> Option<f64> {
-        let uppermost = (0..self.levels).rev().find(|&level| self.material(level, node).is_some())?;
-        let part = |level: usize| f64::from(self.part(level * self.plan.len() + node));
-        let is_part = |level: usize| part(level) > 0.0 && part(level) < f64::from(facing::FULL);
-        let base = (0..=uppermost).rev().find(|&level| !is_part(level)).map_or(0, |level| level + 1);
-        // The uppermost is not air: where it is full, the parts over it are all.
-        let parts: f64 = (base..self.levels).map(part).take_while(|&part| part > 0.0).sum();
-        Some(self.bottom + (base as f64 + parts) * self.height)
+        let level = (0..self.levels).rev().find(|&level| self.material(level, node).is_some())?;
+        let i = level * self.plan.len() + node;
+        let over = if level + 1 < self.levels { self.part(i + self.plan.len()) } else { 0.0 };
+        Some(self.bottom + (level as f64 + f64::from(self.part(i)) + f64::from(over)) * self.height)
     }
 
     /// The middle of a voxel, m.
