@@ -142,6 +142,17 @@ impl Landscape {
     /// Writes the surface as triangles: glb, obj, ply, stl, vtk. [`WriteMesh`] has more to choose
     /// from.
     ///
+    /// ```
+    /// use landform::prelude::*;
+    ///
+    /// # let path = std::env::temp_dir().join(format!("landform-mesh-{}.ply", std::process::id()));
+    /// let grid = Grid::new(Shape::new(3, 3), [10.0, 10.0])?;
+    /// let land = Landscape::from(HeightField::new(grid, vec![1.0; 9])?);
+    /// land.save_mesh(&path)?;
+    /// # std::fs::remove_file(&path).ok();
+    /// # Ok::<(), landform::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Those of [`WriteMesh`]; [`Error::Io`] if the file cannot be written.
     pub fn save_mesh(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -150,6 +161,17 @@ impl Landscape {
     }
 
     /// Writes a view of the land in perspective, as PNG. [`WritePicture`] has more to choose from.
+    ///
+    /// ```
+    /// use landform::prelude::*;
+    ///
+    /// # let path = std::env::temp_dir().join(format!("landform-picture-{}.png", std::process::id()));
+    /// let grid = Grid::new(Shape::new(3, 3), [10.0, 10.0])?;
+    /// let land = Landscape::from(HeightField::new(grid, vec![1.0; 9])?);
+    /// land.save_picture(&path)?;
+    /// # std::fs::remove_file(&path).ok();
+    /// # Ok::<(), landform::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Those of [`WritePicture`]; [`Error::Io`] if the file cannot be written.
@@ -160,6 +182,18 @@ impl Landscape {
 
     /// Writes what a stage that exports writes, below a folder; what it tells besides, such as that
     /// ground was resampled.
+    ///
+    /// ```
+    /// use landform::io::export::WriteRaster;
+    /// use landform::prelude::*;
+    ///
+    /// # let folder = std::env::temp_dir().join(format!("landform-export-{}", std::process::id()));
+    /// let grid = Grid::new(Shape::new(3, 3), [10.0, 10.0])?;
+    /// let land = Landscape::from(HeightField::new(grid, vec![1.0; 9])?);
+    /// land.export(WriteRaster { path: "ground.npy".into(), ..WriteRaster::default() }, &folder)?;
+    /// # std::fs::remove_dir_all(&folder).ok();
+    /// # Ok::<(), landform::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Those of the stage, and of its parameters; [`Error::Io`] if a file cannot be written.

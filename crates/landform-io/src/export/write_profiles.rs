@@ -34,8 +34,8 @@ pub struct WriteProfiles {
     /// Reference area A0 of chi: chi is the integral of (A0/A)^theta along the flow, in metres.
     #[schemars(extend("x-above" = 0.0, "x-max" = 1e18))]
     pub reference_area: Area,
-    /// Length of river, half up and half down, over which k_sn is fitted. If not given, it is 500 m,
-    /// or ten cells where that is more.
+    /// Length of river, half up and half down, over which k_sn is fitted. If not given, it is 500
+    /// m, or ten cells where that is more.
     #[schemars(extend("x-above" = 0.0))]
     pub window: Option<Length>,
     /// The greatest rivers only, this many. If not given, all.

@@ -1,4 +1,5 @@
-//! PLY: binary little-endian, 64-bit coordinates, z up, metres; fields as properties of the vertices.
+//! PLY: binary little-endian, 64-bit coordinates, z up, metres; fields as properties of the
+//! vertices.
 
 use landform_core::Result;
 

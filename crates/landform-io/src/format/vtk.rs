@@ -1,5 +1,5 @@
-//! VTK, the legacy form: binary polygons with 64-bit coordinates, z up, metres; fields as scalars of
-//! the points.
+//! VTK, the legacy form: binary polygons with 64-bit coordinates, z up, metres; fields as scalars
+//! of the points.
 //!
 //! # Sources
 //! VTK file formats (Kitware): "simple legacy formats", version 3.0; binary numbers are big-endian.

@@ -10,8 +10,8 @@
 //! # Method
 //! Backward Euler by Newton's iteration: fluxes over the four faces of a cell with the whole
 //! gradient there, their derivative by the slope normal to the face; each linear system as for
-//! linear creep ([`super::implicit`]), but only to a fiftieth, until no node moves by 0.1 mm. Volumes follow from the
-//! fluxes of the last iteration. **Cost** a few linear systems a step.
+//! linear creep ([`super::implicit`]), but only to a fiftieth, until no node moves by 0.1 mm.
+//! Volumes follow from the fluxes of the last iteration. **Cost** a few linear systems a step.
 //!
 //! # Limits
 //! Rasters whose sides do not wrap. All ground creeps alike, rock too. On layered ground the

@@ -1,18 +1,18 @@
 //! The sharp sweep: along characteristics.
 //!
 //! # Model
-//! For n = 1 the law is an advection: elevations travel up the rivers at the speed K Aᵐ, and rise on
-//! their way with the ground. The elevation that a node has after a step is that which lay, at its
-//! start, a step's travel time down the river, plus what it rose on the way:
+//! For n = 1 the law is an advection: elevations travel up the rivers at the speed K Aᵐ, and rise
+//! on their way with the ground. The elevation that a node has after a step is that which lay, at
+//! its start, a step's travel time down the river, plus what it rose on the way:
 //!
 //! z(τ, t + Δt) = z(τ − Δt, t) + ∫ U dτ, with τ = ∫ dx/(K Aᵐ) from the outlet.
 //!
 //! # Method
-//! From each node the flow is followed down until a step's time is used up; there the profile of the
-//! river is read by the cubic through the two nodes on either side, held between the nearer two, so
-//! that it makes no new steps or pits and hardly smears those that are there. A wave that left the outlet
-//! within the step has the base level of that moment. What other processes raised or lowered in the
-//! step is spread over the way as a rate. No node sinks below its receiver.
+//! From each node the flow is followed down until a step's time is used up; there the profile of
+//! the river is read by the cubic through the two nodes on either side, held between the nearer
+//! two, so that it makes no new steps or pits and hardly smears those that are there. A wave that
+//! left the outlet within the step has the base level of that moment. What other processes raised
+//! or lowered in the step is spread over the way as a rate. No node sinks below its receiver.
 //!
 //! A steady state is that of the implicit sweep, whatever the step. **Cost** O(n) times the number
 //! of nodes that a wave passes in a step: for short steps it is that of the implicit sweep.

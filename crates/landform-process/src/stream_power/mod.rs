@@ -55,8 +55,8 @@
 //!
 //! # Checked by
 //! `tests`: slope–area at every node (SP1, SP2), χ-linearity (SP3), the river of Hack's law (SP4),
-//! knickpoints (SP5; sharp within a cell and a tenth of their time), z ∝ U/K (SP6, SP7), one long step = steady state (SP8), order in time (SP9),
-//! rescaling (SP10), mass (SP11), (1 + G), the sea.
+//! knickpoints (SP5; sharp within a cell and a tenth of their time), z ∝ U/K (SP6, SP7), one long
+//! step = steady state (SP8), order in time (SP9), rescaling (SP10), mass (SP11), (1 + G), the sea.
 //!
 //! # Example
 //! On a ramp that falls to the east every row is a river. At the steady state S √A = U/K. Here U/K

@@ -245,7 +245,8 @@ impl<'a> Work<'a> {
         Some(own / self.tolerance.max(f64::MIN_POSITIVE) + THIN * (1.0 - worst) + LONG * long)
     }
 
-    /// Draws a node, just looked at, onto the first neighbour that keeps the error; whether it went.
+    /// Draws a node, just looked at, onto the first neighbour that keeps the error; whether it
+    /// went.
     fn remove(&mut self, node: u32) -> bool {
         for k in 0..self.targets.len() {
             let target = self.targets[k].1;

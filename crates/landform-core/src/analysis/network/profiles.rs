@@ -1,10 +1,10 @@
 //! Rivers from their mouths to their heads: distance, χ, steepness at every node.
 //!
 //! # Method
-//! χ is the integral of (A0 / A)^θ upstream from where the flow ends, by the trapezoid rule; k_sn at
-//! a node is the slope of elevation on χ, by least squares over the nodes of the same river within
-//! half a window up and down, times A0^θ. A river goes up the larger branch at each confluence; its
-//! first node is the confluence with the river that it joins.
+//! χ is the integral of (A0 / A)^θ upstream from where the flow ends, by the trapezoid rule; k_sn
+//! at a node is the slope of elevation on χ, by least squares over the nodes of the same river
+//! within half a window up and down, times A0^θ. A river goes up the larger branch at each
+//! confluence; its first node is the confluence with the river that it joins.
 //!
 //! # Sources
 //! Perron & Royden (2013); Wobus et al. (2006) for k_sn over a window.
@@ -28,7 +28,7 @@ use crate::math;
 pub struct ProfileSearch {
     /// Least drainage area of a channel, m².
     pub least_area: f64,
-    /// θ.
+    /// θ, a ratio.
     pub concavity: f64,
     /// A0, m².
     pub reference_area: f64,
@@ -43,6 +43,13 @@ impl Default for ProfileSearch {
 }
 
 /// A river from its mouth up.
+///
+/// ```
+/// use landform_core::analysis::RiverProfile;
+///
+/// let trunk = RiverProfile { river: 1, into: None, nodes: Vec::new() };
+/// assert!(trunk.into.is_none(), "it joins none");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RiverProfile {
     /// Number, from 1, the greatest first.
@@ -54,6 +61,13 @@ pub struct RiverProfile {
 }
 
 /// A node of a river.
+///
+/// ```
+/// use landform_core::analysis::ProfileNode;
+///
+/// let node = ProfileNode { node: 7, order: 1, distance: 90.0, chi: 84.0, steepness: 50.0 };
+/// assert!(node.chi < node.distance, "its river is large");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfileNode {
     /// The node.
@@ -70,6 +84,21 @@ pub struct ProfileNode {
 
 /// All rivers of a routed terrain with elevations (m) that do not rise downstream
 /// ([`carved`](super::carved)). **Cost** O(n).
+///
+/// ```
+/// use landform_core::analysis::{Drainage, ProfileSearch, carved, river_profiles};
+/// use landform_core::grid::{Edge, Edges, Grid, Shape};
+/// use landform_core::terrain::{HeightField, NodeSurface};
+///
+/// let mut grid = Grid::new(Shape::new(1, 50), [10.0, 10.0])?;
+/// grid.edges = Edges { west: Edge::Open, ..Edges::all(Edge::Closed) };
+/// let ramp = HeightField::new(grid, (0..50).map(|i| 0.1 * f64::from(i)).collect())?;
+/// let drainage = Drainage::of(&ramp, None, 0.0);
+/// let search = ProfileSearch { least_area: 1_000.0, ..ProfileSearch::default() };
+/// let rivers = river_profiles(&drainage, &carved(&drainage, ramp.elevation()), &search);
+/// assert_eq!(rivers.len(), 1);
+/// # Ok::<(), landform_core::Error>(())
+/// ```
 pub fn river_profiles<D: Domain>(drainage: &Drainage<D>, carved: &[f64], search: &ProfileSearch) -> Vec<RiverProfile> {
     let (distance, chi) = integrals(drainage, search);
     let list = reaches(&drainage.flow, &drainage.area, search.least_area);

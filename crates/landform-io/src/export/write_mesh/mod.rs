@@ -70,8 +70,8 @@ pub struct WriteMesh {
     /// all nodes are written. Surfaces only.
     #[schemars(extend("x-above" = 0.0, "x-max" = 1e6))]
     pub max_error: Option<Length>,
-    /// Levels of detail, as files name_LOD1 and so on beside the first, each with twice the error of
-    /// the one before it. They need `max_error`.
+    /// Levels of detail, as files name_LOD1 and so on beside the first, each with twice the error
+    /// of the one before it. They need `max_error`.
     #[schemars(extend("x-min" = 1, "x-max" = 8))]
     pub levels: usize,
     /// Fields of the nodes that are written with them, such as "drainage_area" (ply, vtk, csv; the

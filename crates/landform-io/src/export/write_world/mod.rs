@@ -11,9 +11,9 @@
 //!
 //! # Sources
 //! SDFormat 1.9 (`heightmap`, `mesh`); gz-sim, gz-physics and gz-common (the collision takes its
-//! place from `pose`, the picture of it from `pos`; pixels are divided by the greatest one); MuJoCo's
-//! XML reference (`hfield`: rows from the south in its own binary files, half sides); OpenUSD
-//! (`UsdGeomMesh`, `UsdPhysics`, `UsdPreviewSurface`).
+//! place from `pose`, the picture of it from `pos`; pixels are divided by the greatest one);
+//! MuJoCo's XML reference (`hfield`: rows from the south in its own binary files, half sides);
+//! OpenUSD (`UsdGeomMesh`, `UsdPhysics`, `UsdPreviewSurface`).
 //!
 //! # Checked by
 //! `tests`: a letter that no turn or flip leaves as it is, read back from each file in metres; and
