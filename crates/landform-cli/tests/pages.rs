@@ -62,7 +62,10 @@ fn a_world_builder_gets_what_the_page_promises() {
 #[test]
 fn a_geomorphologist_gets_what_the_page_promises() {
     let files = ["out/drainage.json", "out/report.html", "runs.csv", "numbers.json", "measured.html", "difference.png"];
-    follow("geomorphologists.md", &[&files[..], &["out/profiles.csv", "out/swath.csv", "out/steady.vtk"]].concat());
+    follow(
+        "geomorphologists.md",
+        &[&files[..], &["out/profiles.csv", "out/swath.csv", "out/steady.vtk", "out/steady.nc"]].concat(),
+    );
 }
 
 #[test]

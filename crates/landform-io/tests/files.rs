@@ -57,7 +57,7 @@ fn nodata_survives_where_the_format_has_it() {
     let source = field(6, 6);
     let mut values = source.elevation().to_vec();
     values[8] = f64::NAN;
-    for name in ["a.tif", "a.asc", "a.exr", "a.npy"] {
+    for name in ["a.tif", "a.asc", "a.exr", "a.npy", "a.nc"] {
         let format = raster_format(Path::new(name)).unwrap();
         let back = format.read(&(format.write)(&file(&source, &values)).unwrap(), None).unwrap();
         assert!(back.elevation()[8].is_nan() && !back.elevation()[9].is_nan(), "{name}");

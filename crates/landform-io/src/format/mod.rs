@@ -25,6 +25,7 @@ mod geotiff;
 mod geotiff_options;
 mod glb;
 mod mesh;
+mod netcdf;
 mod node_table;
 mod npy;
 mod obj;

@@ -103,7 +103,7 @@ pub fn blurred(path: &str, file: &RasterFile) -> Option<String> {
 
 /// Whether the format of a file of this name has 64-bit floats.
 pub(crate) fn has_float64(path: &str) -> bool {
-    ends_with_one_of(path, &[".tif", ".tiff", ".asc", ".npy"])
+    ends_with_one_of(path, &[".tif", ".tiff", ".asc", ".npy", ".nc"])
 }
 
 fn ends_with_one_of(path: &str, ends: &[&str]) -> bool {

@@ -10,8 +10,8 @@ use super::beside::{Found, InFile};
 use super::reading::{Beside, Reading, decide, decide_grid};
 use super::said::Stored;
 use super::{
-    MeshFile, RasterFile, Samples, Sidecar, ascii_grid, beside, exr, geotiff, glb, node_table, npy, obj, picture, ply,
-    raw16, stl, vtk,
+    MeshFile, RasterFile, Samples, Sidecar, ascii_grid, beside, exr, geotiff, glb, netcdf, node_table, npy, obj,
+    picture, ply, raw16, stl, vtk,
 };
 use crate::files::read_whole;
 
@@ -97,6 +97,15 @@ pub static RASTER_FORMATS: &[RasterFormat] = &[
         header: Some(npy::read_header),
         write: npy::write,
         needs_sidecar: true,
+        is_stepped: false,
+    },
+    RasterFormat {
+        extensions: &["nc"],
+        name: "netCDF",
+        stored: netcdf::read,
+        header: None,
+        write: netcdf::write,
+        needs_sidecar: false,
         is_stepped: false,
     },
     RasterFormat {

@@ -2,7 +2,7 @@
 
 use landform_core::grid::Shape;
 use landform_core::verb::CancelToken;
-use landform_core::{Error, Result};
+use landform_core::{Error, Result, math};
 use landform_io::export::WritePicture;
 use landform_io::render::Picture;
 
@@ -21,6 +21,15 @@ pub struct Axis {
 
 impl Axis {
     /// Reads `STAGE.key=a,b,c`; semicolons part the values where they hold commas themselves.
+    /// `a..b:n` stands for n values from a to b with equal steps, `a..b:nlog` with equal ratios.
+    ///
+    /// ```
+    /// use landform::recipe::Axis;
+    ///
+    /// let axis = Axis::parse("uplift.rate=0.1 mm/yr..0.3 mm/yr:3,1 mm/yr")?;
+    /// assert_eq!(axis.values, ["0.1 mm/yr", "0.2 mm/yr", "0.3 mm/yr", "1 mm/yr"]);
+    /// # Ok::<(), landform::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Recipe`] without `=`, key or values.
@@ -36,8 +45,43 @@ impl Axis {
         if !key.contains('.') || values.iter().any(String::is_empty) {
             return Err(fail());
         }
+        let values = values.iter().map(|value| range(value)).collect::<Result<Vec<_>>>()?.concat();
         Ok(Self { key: key.trim().into(), values })
     }
+}
+
+/// A number and the unit after it.
+fn quantity(text: &str) -> Option<(f64, &str)> {
+    let (number, unit) = text.trim().split_once(char::is_whitespace).unwrap_or((text.trim(), ""));
+    number.parse().ok().filter(|v: &f64| v.is_finite()).map(|v| (v, unit.trim()))
+}
+
+/// The values of `a..b:n` and `a..b:nlog`; any other text is a value itself.
+fn range(text: &str) -> Result<Vec<String>> {
+    let ends = text.split_once("..").and_then(|(from, rest)| {
+        let (to, count) = rest.rsplit_once(':')?;
+        Some((quantity(from)?, quantity(to)?, count.trim()))
+    });
+    let Some(((from, first_unit), (to, unit), count)) = ends else { return Ok(vec![text.into()]) };
+    let wrong = |expected: &str| Err(Error::parameter("over", format!("`{text}`"), expected));
+    if !first_unit.is_empty() && first_unit != unit {
+        return wrong("one unit at both ends, as 0.1 mm/yr..0.5 mm/yr:5");
+    }
+    let (count, is_log) = count.strip_suffix("log").map_or((count, false), |count| (count.trim(), true));
+    let Some(count) = count.parse::<usize>().ok().filter(|n| (2..=MOST_RUNS).contains(n)) else {
+        return wrong("2 to 10,000 values, as 0.1 mm/yr..0.5 mm/yr:5, or :5log for equal ratios");
+    };
+    if is_log && !(from > 0.0 && to > 0.0) {
+        return wrong("ends above 0 for equal ratios");
+    }
+    let value = |k: usize| {
+        let part = k as f64 / (count - 1) as f64;
+        let exact = if is_log { from * math::pow(to / from, part) } else { math::lerp(from, to, part) };
+        // Twelve digits: 0.3, not 0.30000000000000004.
+        let short = format!("{exact:.11e}").parse().unwrap_or(exact);
+        format!("{short} {unit}").trim_end().to_string()
+    };
+    Ok((0..count).map(value).collect())
 }
 
 /// The parts of a text between separators that stand in no brackets and no quotes.
@@ -193,6 +237,25 @@ fn number(picture: &mut Picture, [top, left]: [usize; 2], value: usize) {
                     paint(row + DOT, col + DOT * (4 * k + 1), [40, 40, 44]);
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_values_at_equal_steps_or_ratios() {
+        let values = |text: &str| Axis::parse(&format!("a.b={text}")).unwrap().values;
+        assert_eq!(values("0.1 mm/yr..0.5 mm/yr:5").join(";"), "0.1 mm/yr;0.2 mm/yr;0.3 mm/yr;0.4 mm/yr;0.5 mm/yr");
+        assert_eq!(values("1..3 km:2"), ["1 km", "3 km"]);
+        assert_eq!(values("1e-6..1e-4:3log"), ["0.000001", "0.00001", "0.0001"]);
+        assert_eq!(values("5..-5:3,7"), ["5", "0", "-5", "7"]);
+        // Paths and what is no range stay as they are.
+        assert_eq!(values("../map.tif"), ["../map.tif"]);
+        for bad in ["1..2:1", "1..2:x", "1..2:10001", "1 m..2 km:3", "-1..1:3log"] {
+            assert!(Axis::parse(&format!("a.b={bad}")).is_err(), "{bad}");
         }
     }
 }
