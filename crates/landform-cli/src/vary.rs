@@ -25,8 +25,8 @@ pub(crate) struct Args {
     /// First seed, instead of the recipe's.
     #[arg(long)]
     seed: Option<u64>,
-    /// A key and its values: LABEL_OR_STAGE.key=a,b,c (or a;b;c), or a range: a..b:n, a..b:nlog. May
-    /// be repeated: every combination is run.
+    /// A key and its values: LABEL_OR_STAGE.key=a,b,c (or a;b;c), or a range: a..b:n, a..b:nlog.
+    /// May be repeated: every combination is run.
     #[arg(long, value_name = "STAGE.KEY=A,B,C")]
     over: Vec<String>,
     /// Table of results to write (.csv); printed if not given.

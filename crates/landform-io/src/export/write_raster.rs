@@ -15,8 +15,8 @@ use crate::format::{
 };
 
 /// Writes a field as a raster file; the extension sets the format: tif, asc, exr, npy, nc
-/// (netCDF), png (16 bit), pgm, r16. Formats that do not hold scale and position get a sidecar, with .landform.json
-/// after the file's name. It also says what classes mean.
+/// (netCDF), png (16 bit), pgm, r16. Formats that do not hold scale and position get a sidecar,
+/// with .landform.json after the file's name. It also says what classes mean.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct WriteRaster {

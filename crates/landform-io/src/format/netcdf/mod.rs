@@ -1,5 +1,5 @@
-//! netCDF, the classic format (1, and 2 for large files), with the names of the climate and forecast
-//! conventions: coordinates x and y in metres, rows from the north, a field with its unit.
+//! netCDF, the classic format (1, and 2 for large files), with the names of the climate and
+//! forecast conventions: coordinates x and y in metres, rows from the north, a field with its unit.
 //!
 //! # Sources
 //! The NetCDF classic format specification (Unidata): a header of lists, big-endian, padded to four
